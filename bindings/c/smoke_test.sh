@@ -1,0 +1,63 @@
+#!/bin/sh
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+#
+# Installs a build to a fresh folder and uses it from there as a stranger would.
+# Usage: smoke_test.sh BUILD_FOLDER WORK_FOLDER; CC, CMAKE and PKG_CONFIG name tools.
+set -eu
+
+here=$(cd "$(dirname "$0")" && pwd)
+build=$1
+work=$2
+prefix=$work/prefix
+cc="${CC:-cc} -std=c99 -Wall -Wextra -Werror"
+cmake=${CMAKE:-cmake}
+
+fail() {
+  echo "smoke_test: $*" >&2
+  exit 1
+}
+
+# The build may have been configured for another prefix.
+pkg_config() {
+  "${PKG_CONFIG:-pkg-config}" --define-variable=prefix="$prefix" "$@"
+}
+
+# The first block of a language in the README.
+example() {
+  awk -v start="\`\`\`$1" '$0 == "```" && on { exit } on { print } $0 == start { on = 1 }' \
+    "$here/README.md"
+}
+
+rm -rf "$work"
+mkdir -p "$work"
+cd "$work"
+"$cmake" --install "$build" --prefix "$prefix" >install.log
+
+pc=$(find "$prefix" -name gcv.pc)
+[ -n "$pc" ] || fail "no gcv.pc is installed"
+PKG_CONFIG_PATH=$(dirname "$pc")
+export PKG_CONFIG_PATH
+pkg_config --validate gcv
+libdir=$(pkg_config --variable=libdir gcv)
+# Word splitting of the flags is wanted below.
+flags=$(pkg_config --cflags --libs gcv)
+static_flags=$(pkg_config --static --cflags --libs gcv)
+
+$cc "$here/smoke.c" $flags -o dynamic
+LD_LIBRARY_PATH=$libdir ./dynamic || fail "the dynamic program fails"
+
+if $cc "$here/smoke.c" -o bare 2>bare.log; then
+  fail "the program compiles without the flags"
+fi
+
+$cc -static "$here/smoke.c" $static_flags -o static
+./static || fail "the static program fails"
+
+example c >sum.c
+example cmake >CMakeLists.txt
+$cc sum.c $flags -o readme
+[ "$(LD_LIBRARY_PATH=$libdir ./readme)" = "area 9" ] || fail "the example of the README fails"
+"$cmake" -S . -B cmake -DCMAKE_PREFIX_PATH="$prefix" >cmake.log
+"$cmake" --build cmake >>cmake.log
+[ "$(cmake/sum)" = "area 9" ] || fail "the CMake example of the README fails"

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The C interface: arguments are checked here, and all else is the core's.
+#include "gcv/gcv.h"
+
+#include <cstring>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "area.hpp"
+#include "guard.hpp"
+#include "minkowski_sum.hpp"
+#include "polygon.hpp"
+#include "wkt.hpp"
+
+struct gcv_polygon {
+  std::shared_ptr<const gcv::Polygon> polygon;
+};
+
+struct gcv_outer_face {
+  gcv::OuterFace face;
+};
+
+struct gcv_superset {
+  std::vector<gcv_superset_edge> edges;
+};
+
+namespace {
+
+using gcv::Error;
+using gcv::Point;
+using gcv::Status;
+using gcv::capi::fill;
+using gcv::capi::guarded;
+using gcv::capi::require;
+
+#define GCV_TEXT_OF(x) #x
+#define GCV_TEXT(x) GCV_TEXT_OF(x)
+
+gcv_polygon* new_polygon(const std::vector<Point>& boundary) {
+  auto polygon = std::make_shared<const gcv::Polygon>(gcv::make_polygon(boundary, "polygon"));
+  return new gcv_polygon{std::move(polygon)};
+}
+
+std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_t stride) {
+  constexpr std::size_t most = 0x7fffffff;
+  if (count > most) {
+    throw Error(Status::invalid_argument, "vertex_count is %zu, at most %zu is possible", count,
+                most);
+  }
+  if (stride != 0 && stride < sizeof(Point)) {
+    throw Error(Status::invalid_argument, "stride_bytes is %zu, neither 0 nor at least %zu", stride,
+                sizeof(Point));
+  }
+  const std::size_t step = stride == 0 ? sizeof(Point) : stride;
+  std::vector<Point> points(count);
+  const char* next = reinterpret_cast<const char*>(xy);
+  for (Point& point : points) {
+    std::memcpy(&point, next, sizeof point);
+    next += step;
+  }
+  return points;
+}
+
+// The options that this version knows, from a struct of any version.
+void check_options(const gcv_options* options) {
+  if (options == nullptr) {
+    return;
+  }
+  const std::uint32_t size = options->struct_size;
+  if (size < sizeof(gcv_options)) {
+    throw Error(Status::invalid_argument,
+                "options: struct_size is %u, less than %zu; initialise it with GCV_OPTIONS_INIT",
+                size, sizeof(gcv_options));
+  }
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(options);
+  for (std::size_t k = sizeof(gcv_options); k < size; ++k) {
+    if (bytes[k] != 0) {
+      throw Error(Status::invalid_argument,
+                  "options: byte %zu of %u is set, for an option that version " GCV_TEXT(
+                      GCV_VERSION_MAJOR) "." GCV_TEXT(GCV_VERSION_MINOR) " does not know",
+                  k, size);
+    }
+  }
+  if (options->rounding != GCV_ROUND_NEAREST) {
+    throw Error(Status::invalid_argument, "options: rounding is %d, only %d (nearest) is known",
+                options->rounding, static_cast<int>(GCV_ROUND_NEAREST));
+  }
+  if (!(options->tolerance == 0)) {
+    throw Error(Status::invalid_argument, "options: tolerance is %g, only 0 is known",
+                options->tolerance);
+  }
+}
+
+Point read_reference(const double reference[2], const char* name) {
+  require(reference, name);
+  const Point point{reference[0], reference[1]};
+  if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
+    throw Error(Status::not_finite, "%s: the %s coordinate is %g, not a finite number", name,
+                std::isfinite(point.x) ? "y" : "x", std::isfinite(point.x) ? point.y : point.x);
+  }
+  return {point.x + 0.0, point.y + 0.0};
+}
+
+// Writes `value` to *out, unless it is not finite.
+void give_finite(double value, const char* what, double* out) {
+  if (!std::isfinite(value)) {
+    throw Error(Status::range, "%s is beyond the largest double", what);
+  }
+  *out = value;
+}
+
+void fill_points(const std::vector<Point>& points, double* xy, std::size_t capacity,
+                 std::size_t* required) {
+  fill(points.size(), xy, capacity, required, "vertices", [&](double* out) {
+    std::memcpy(out, points.data(), points.size() * sizeof(Point));
+  });
+}
+
+void fill_text(const std::string& text, char* out, std::size_t capacity, std::size_t* required) {
+  fill(text.size() + 1, out, capacity, required, "bytes",
+       [&](char* to) { std::memcpy(to, text.c_str(), text.size() + 1); });
+}
+
+gcv_edge_source public_source(const gcv::EdgeSource& source) {
+  return {static_cast<std::int32_t>(source.kind), source.a, source.b};
+}
+
+std::shared_ptr<const gcv::Polygon> reflection(const gcv_polygon* polygon) {
+  return std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon->polygon));
+}
+
+// Sums of a handle's coordinates can overflow.
+double finite_sum(double a, double b) {
+  const double sum = a + b;
+  if (!std::isfinite(sum)) {
+    throw Error(Status::range, "superset: the sum of %g of a and %g of b is beyond the largest double",
+                a, b);
+  }
+  return sum + 0.0;
+}
+
+}  // namespace
+
+uint32_t gcv_version_number(void) {
+  return GCV_VERSION_MAJOR * 10000 + GCV_VERSION_MINOR * 100 + GCV_VERSION_PATCH;
+}
+
+const char* gcv_version_string(void) {
+  return GCV_TEXT(GCV_VERSION_MAJOR) "." GCV_TEXT(GCV_VERSION_MINOR) "." GCV_TEXT(GCV_VERSION_PATCH);
+}
+
+const char* gcv_status_name(gcv_status status) {
+  switch (status) {
+    case GCV_OK:
+      return "GCV_OK";
+    case GCV_ERR_NULL_ARGUMENT:
+      return "GCV_ERR_NULL_ARGUMENT";
+    case GCV_ERR_INVALID_ARGUMENT:
+      return "GCV_ERR_INVALID_ARGUMENT";
+    case GCV_ERR_NOT_FINITE:
+      return "GCV_ERR_NOT_FINITE";
+    case GCV_ERR_DEGENERATE:
+      return "GCV_ERR_DEGENERATE";
+    case GCV_ERR_NOT_SIMPLE:
+      return "GCV_ERR_NOT_SIMPLE";
+    case GCV_ERR_BUFFER_TOO_SMALL:
+      return "GCV_ERR_BUFFER_TOO_SMALL";
+    case GCV_ERR_RANGE:
+      return "GCV_ERR_RANGE";
+    case GCV_ERR_PARSE:
+      return "GCV_ERR_PARSE";
+    case GCV_ERR_NO_MEMORY:
+      return "GCV_ERR_NO_MEMORY";
+    case GCV_ERR_INTERNAL:
+      return "GCV_ERR_INTERNAL";
+    default:
+      return "GCV_ERR_UNKNOWN";
+  }
+}
+
+const char* gcv_last_error_message(void) { return gcv::capi::last_message(); }
+
+gcv_status gcv_polygon_create(const double* xy, size_t vertex_count, size_t stride_bytes,
+                              gcv_polygon** out) {
+  return guarded([&] {
+    require(xy, "xy");
+    require(out, "out");
+    *out = new_polygon(read_vertices(xy, vertex_count, stride_bytes));
+  });
+}
+
+gcv_status gcv_polygon_create_wkt(const char* text, size_t length, gcv_polygon** out) {
+  return guarded([&] {
+    require(text, "text");
+    require(out, "out");
+    *out = new_polygon(gcv::parse_polygon(std::string_view(text, length), "polygon"));
+  });
+}
+
+void gcv_polygon_destroy(gcv_polygon* polygon) { delete polygon; }
+
+gcv_status gcv_polygon_vertex_count(const gcv_polygon* polygon, size_t* out) {
+  return guarded([&] {
+    require(polygon, "polygon");
+    require(out, "out");
+    *out = polygon->polygon->vertices.size();
+  });
+}
+
+gcv_status gcv_polygon_vertices(const gcv_polygon* polygon, double* xy, size_t capacity,
+                                size_t* required) {
+  return guarded([&] {
+    require(polygon, "polygon");
+    fill_points(polygon->polygon->vertices, xy, capacity, required);
+  });
+}
+
+gcv_status gcv_polygon_area(const gcv_polygon* polygon, double* out) {
+  return guarded([&] {
+    require(polygon, "polygon");
+    require(out, "out");
+    give_finite(gcv::ring_area(polygon->polygon->vertices), "the area of the polygon", out);
+  });
+}
+
+gcv_status gcv_polygon_bounds(const gcv_polygon* polygon, double out[4]) {
+  return guarded([&] {
+    require(polygon, "polygon");
+    require(out, "out");
+    const gcv::Box& box = polygon->polygon->bounds();
+    out[0] = box.x0;
+    out[1] = box.y0;
+    out[2] = box.x1;
+    out[3] = box.y1;
+  });
+}
+
+void gcv_options_init(gcv_options* options) {
+  if (options != nullptr) {
+    *options = GCV_OPTIONS_INIT;
+  }
+}
+
+gcv_status gcv_minkowski_sum(const gcv_polygon* a, const gcv_polygon* b, const gcv_options* options,
+                             gcv_outer_face** out) {
+  return guarded([&] {
+    require(a, "a");
+    require(b, "b");
+    require(out, "out");
+    check_options(options);
+    *out = new gcv_outer_face{gcv::minkowski_sum(a->polygon, b->polygon, {0, 0})};
+  });
+}
+
+gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* moving,
+                              const double reference[2], const gcv_options* options,
+                              gcv_outer_face** out) {
+  return guarded([&] {
+    require(fixed, "fixed");
+    require(moving, "moving");
+    require(out, "out");
+    check_options(options);
+    const Point shift = read_reference(reference, "reference");
+    *out = new gcv_outer_face{gcv::minkowski_sum(fixed->polygon, reflection(moving), shift)};
+  });
+}
+
+gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const double a0[2],
+                              const gcv_options* options, gcv_outer_face** out) {
+  return guarded([&] {
+    require(a, "a");
+    require(b, "b");
+    require(out, "out");
+    check_options(options);
+    const Point shift = read_reference(a0, "a0");
+    *out = new gcv_outer_face{gcv::minkowski_sum(reflection(a), b->polygon, shift)};
+  });
+}
+
+void gcv_outer_face_destroy(gcv_outer_face* face) { delete face; }
+
+gcv_status gcv_outer_face_vertex_count(const gcv_outer_face* face, size_t* out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    *out = face->face.rounded.vertices.size();
+  });
+}
+
+gcv_status gcv_outer_face_vertices(const gcv_outer_face* face, double* xy, size_t capacity,
+                                   size_t* required) {
+  return guarded([&] {
+    require(face, "face");
+    fill_points(face->face.rounded.vertices, xy, capacity, required);
+  });
+}
+
+gcv_status gcv_outer_face_exact_vertex_count(const gcv_outer_face* face, size_t* out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    *out = face->face.exact.size();
+  });
+}
+
+gcv_status gcv_outer_face_exact_vertex(const gcv_outer_face* face, size_t index, char* text,
+                                       size_t capacity, size_t* required) {
+  return guarded([&] {
+    require(face, "face");
+    if (index >= face->face.exact.size()) {
+      throw Error(Status::invalid_argument, "index is %zu, the exact ring has %zu vertices", index,
+                  face->face.exact.size());
+    }
+    fill_text(gcv::exact_vertex(face->face.exact, index), text, capacity, required);
+  });
+}
+
+gcv_status gcv_outer_face_edge_sources(const gcv_outer_face* face, gcv_edge_source* out,
+                                       size_t capacity, size_t* required) {
+  return guarded([&] {
+    require(face, "face");
+    const std::vector<gcv::EdgeSource>& sources = face->face.sources;
+    fill(sources.size(), out, capacity, required, "edges", [&](gcv_edge_source* to) {
+      std::transform(sources.begin(), sources.end(), to, public_source);
+    });
+  });
+}
+
+gcv_status gcv_outer_face_error_bound(const gcv_outer_face* face, double* out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    *out = face->face.rounded.error_bound;
+  });
+}
+
+gcv_status gcv_outer_face_area(const gcv_outer_face* face, double* out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    give_finite(gcv::ring_area(face->face.rounded.vertices), "the area of the outer face", out);
+  });
+}
+
+gcv_status gcv_outer_face_wkt(const gcv_outer_face* face, char* text, size_t capacity,
+                              size_t* required) {
+  return guarded([&] {
+    require(face, "face");
+    fill_text(gcv::format_polygon(face->face.rounded.vertices), text, capacity, required);
+  });
+}
+
+gcv_status gcv_outer_face_polygon(const gcv_outer_face* face, gcv_polygon** out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    *out = new_polygon(face->face.rounded.vertices);
+  });
+}
+
+gcv_status gcv_outer_face_stats(const gcv_outer_face* face, gcv_stats* out) {
+  return guarded([&] {
+    require(face, "face");
+    require(out, "out");
+    const std::uint32_t size = out->struct_size;
+    if (size < sizeof(gcv_stats)) {
+      throw Error(Status::invalid_argument, "stats: struct_size is %u, less than %zu", size,
+                  sizeof(gcv_stats));
+    }
+    const gcv::Counts& counts = face->face.counts;
+    const gcv_stats stats{size,
+                          counts.walk_steps,
+                          counts.candidate_edges,
+                          counts.predicates.filtered,
+                          counts.predicates.fixed_width,
+                          counts.predicates.rational,
+                          0};
+    std::memset(out, 0, size);
+    std::memcpy(out, &stats, sizeof stats);
+  });
+}
+
+gcv_status gcv_superset_create(const gcv_polygon* a, const gcv_polygon* b, gcv_superset** out) {
+  return guarded([&] {
+    require(a, "a");
+    require(b, "b");
+    require(out, "out");
+    auto superset = std::make_unique<gcv_superset>();
+    for (const gcv::SupersetEdge& edge : gcv::superset(*a->polygon, *b->polygon)) {
+      superset->edges.push_back(
+          {finite_sum(edge.from.a.x, edge.from.b.x), finite_sum(edge.from.a.y, edge.from.b.y),
+           finite_sum(edge.to.a.x, edge.to.b.x), finite_sum(edge.to.a.y, edge.to.b.y),
+           public_source(edge.source)});
+    }
+    *out = superset.release();
+  });
+}
+
+void gcv_superset_destroy(gcv_superset* superset) { delete superset; }
+
+gcv_status gcv_superset_edges(const gcv_superset* superset, gcv_superset_edge* out, size_t capacity,
+                              size_t* required) {
+  return guarded([&] {
+    require(superset, "superset");
+    fill(superset->edges.size(), out, capacity, required, "edges", [&](gcv_superset_edge* to) {
+      std::copy(superset->edges.begin(), superset->edges.end(), to);
+    });
+  });
+}

@@ -1,0 +1,531 @@
+/*
+ * gcv.h - the outer face of the Minkowski sum of two polygons, exactly.
+ *
+ * Copyright (C) 2026 The libgcv authors
+ * SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * The Minkowski sum of two polygons A and B is A + B = { a + b : a in A, b in B }.
+ * Its outer face is bounded by one simple polygon, the ring that these functions
+ * compute, after the paper "Generalized Contributing Vertices-Based Method for
+ * Minkowski Sum Outer-Face of Two Polygons". The no-fit polygon of nesting codes
+ * and the entrance block of contact detection are the same set with one polygon
+ * reflected.
+ *
+ * Exactness. Every coordinate is a finite double and stands for exactly that
+ * number. Every decision of the computation is exact for every such input; there
+ * is no tolerance and no epsilon in it. Only the coordinates that are handed back
+ * as doubles are rounded, each once, and each function says how.
+ *
+ * Reproducibility. The same input gives the same bits on every run, thread,
+ * compiler and optimisation level. The rounding mode, flush-to-zero and exception
+ * flags of the caller's floating-point environment neither change a result nor are
+ * changed by a call.
+ *
+ * Threads. Handles are immutable once created: any number of threads may use one
+ * const handle at a time. Only its destruction needs to come last.
+ *
+ * Errors. Functions that can fail return a gcv_status. On failure nothing is
+ * written to their outputs, save *required of the buffer functions. Nothing
+ * aborts, throws, prints, or keeps global state. One exception is not in the hands
+ * of this library: GMP ends the process when it cannot get memory for a number of
+ * more than 512 bits.
+ *
+ * Ownership. A handle given through an output argument belongs to the caller, who
+ * ends it with the matching destroy function; destroying NULL does nothing.
+ * Handles do not depend on one another: a polygon may be destroyed while an outer
+ * face computed from it lives on.
+ *
+ * Buffers. Buffers are the caller's, and are passed as (out, capacity, &required):
+ * capacity counts elements (vertices, edges, or bytes for text). *required is set
+ * to the number of elements that there are (for text with its final NUL). With
+ * out == NULL and capacity == 0 nothing else happens, and GCV_OK is returned. A
+ * capacity below *required writes nothing else and returns
+ * GCV_ERR_BUFFER_TOO_SMALL. out == NULL with any other capacity, and
+ * required == NULL, are GCV_ERR_NULL_ARGUMENT. Coordinates are x0 y0 x1 y1 ...:
+ * a buffer for n vertices holds 2 n doubles.
+ */
+#ifndef GCV_GCV_H
+#define GCV_GCV_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define GCV_VERSION_MAJOR 0
+#define GCV_VERSION_MINOR 1
+#define GCV_VERSION_PATCH 0
+
+#if defined(__GNUC__)
+#define GCV_API __attribute__((visibility("default")))
+#define GCV_NODISCARD __attribute__((warn_unused_result))
+#else
+#define GCV_API
+#define GCV_NODISCARD
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* ---------------------------------------------------------------- status -- */
+
+/** What a call came to. Values never change; later versions may add some. */
+typedef int32_t gcv_status;
+
+enum {
+  /** Done. */
+  GCV_OK = 0,
+  /** A pointer that must not be NULL is NULL. */
+  GCV_ERR_NULL_ARGUMENT = 1,
+  /** An argument has a value that it cannot have: an unknown rounding, a stride
+   *  below 16 bytes, an index past the end, a struct_size of no known version. */
+  GCV_ERR_INVALID_ARGUMENT = 2,
+  /** A coordinate of the input is a NaN or an infinity. */
+  GCV_ERR_NOT_FINITE = 3,
+  /** A polygon without area: fewer than three vertices that are distinct and not
+   *  collinear. */
+  GCV_ERR_DEGENERATE = 4,
+  /** A ring that crosses or touches itself; the message names the two edges. */
+  GCV_ERR_NOT_SIMPLE = 5,
+  /** The buffer is too small; *required says how large it must be. */
+  GCV_ERR_BUFFER_TOO_SMALL = 6,
+  /** The result cannot be given in finite doubles. */
+  GCV_ERR_RANGE = 7,
+  /** The text is not what it should be; the message gives the byte offset. */
+  GCV_ERR_PARSE = 8,
+  /** There is not enough memory. */
+  GCV_ERR_NO_MEMORY = 9,
+  /** A defect of this library; please report it with the input. */
+  GCV_ERR_INTERNAL = 100
+};
+
+/**
+ * The version of the library that is running: major * 10000 + minor * 100 + patch.
+ * Compare it with the GCV_VERSION_* macros, which are those of the header.
+ * Threads: any. @since 0.1
+ */
+GCV_API uint32_t gcv_version_number(void);
+
+/**
+ * The version of the library that is running as text, such as "0.1.0".
+ *
+ * @return never NULL; valid for ever. Threads: any. @since 0.1
+ */
+GCV_API const char *gcv_version_string(void);
+
+/**
+ * The name of a status, such as "GCV_ERR_NOT_SIMPLE".
+ *
+ * @param status  any value.
+ * @return        never NULL, valid for ever; "GCV_ERR_UNKNOWN" for a value that
+ *                this version does not know. Threads: any. @since 0.1
+ */
+GCV_API const char *gcv_status_name(gcv_status status);
+
+/**
+ * What the last failure on the calling thread was about, in one English sentence
+ * that names the polygon, the vertex or edge in the caller's numbers, and the
+ * value. At most 511 bytes. Made for people; programs should look at the status.
+ *
+ * @return never NULL; "" before the first failure. Valid, and unchanged by calls
+ *         that succeed, until the next failure on this thread. @since 0.1
+ */
+GCV_API const char *gcv_last_error_message(void);
+
+/* --------------------------------------------------------------- polygons -- */
+
+/** A simple polygon, validated and prepared for sums. Opaque, immutable. */
+typedef struct gcv_polygon gcv_polygon;
+
+/**
+ * Makes a polygon from the vertices of its boundary.
+ *
+ * Either orientation will do. The last vertex may repeat the first. Repeated
+ * vertices and vertices on a straight line are accepted and dropped; the caller's
+ * numbers (vertex k as passed, edge k from vertex k to k+1) stay those of every
+ * message and of every gcv_edge_source.
+ *
+ * @param xy            vertex_count vertices: x of the first is at xy, its y
+ *                      right behind it. Any finite doubles, of any alignment;
+ *                      read only during the call.
+ * @param vertex_count  their number, at most 2^31 - 1.
+ * @param stride_bytes  the distance from one vertex to the next, at least 16, or
+ *                      0 for 16.
+ * @param out           the new polygon, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT for xy or out; GCV_ERR_INVALID_ARGUMENT
+ *         for the stride or the count; GCV_ERR_NOT_FINITE; GCV_ERR_DEGENERATE;
+ *         GCV_ERR_NOT_SIMPLE; GCV_ERR_NO_MEMORY.
+ * Exactness: all checks are exact. Cost: O(n log n). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_create(const double *xy, size_t vertex_count,
+                                                    size_t stride_bytes, gcv_polygon **out);
+
+/**
+ * Makes a polygon from Well-Known Text: "POLYGON ((x y, x y, ...), (hole), ...)".
+ *
+ * Any letter case and white space; numbers as in C, always with a point, whatever
+ * the locale, each read as the nearest double. Rings are closed (the first vertex
+ * repeated at the end) or not. Holes must be rings of at least three vertices with
+ * finite coordinates; they are read and left out, for a hole never changes an
+ * outer face. "POLYGON EMPTY" is degenerate.
+ *
+ * @param text    the text; need not end in NUL.
+ * @param length  its length in bytes.
+ * @param out     the new polygon, the caller's.
+ * @return as gcv_polygon_create, and GCV_ERR_PARSE with the byte offset in the
+ *         message. A number too large for a double is GCV_ERR_NOT_FINITE.
+ * Exactness, cost, threads: as gcv_polygon_create. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_wkt(const char *text, size_t length,
+                                                        gcv_polygon **out);
+
+/** Ends a polygon. NULL is allowed. @since 0.1 */
+GCV_API void gcv_polygon_destroy(gcv_polygon *polygon);
+
+/**
+ * The number of vertices of the normalised ring (see gcv_polygon_vertices).
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Cost: O(1). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_vertex_count(const gcv_polygon *polygon, size_t *out);
+
+/**
+ * The normalised ring: counter-clockwise, from the lexicographically smallest
+ * vertex, without repeated and without collinear vertices, not closed.
+ *
+ * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.
+ * @param capacity  in vertices.
+ * @param required  the number of vertices.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: the doubles passed in, unchanged (but -0 is given as 0). Cost: O(n).
+ * Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_vertices(const gcv_polygon *polygon, double *xy,
+                                                      size_t capacity, size_t *required);
+
+/**
+ * The area of the polygon without regard to holes, in square units, above 0.
+ *
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where the area is larger
+ *         than any finite double.
+ * Exactness: correctly rounded, to nearest, ties to even; 0 where the area is
+ * below half the smallest double. Cost: O(n). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_area(const gcv_polygon *polygon, double *out);
+
+/**
+ * The smallest box around the polygon: xmin, ymin, xmax, ymax.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Exactness: exact. Cost: O(1).
+ * Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_bounds(const gcv_polygon *polygon, double out[4]);
+
+/* ---------------------------------------------------------------- options -- */
+
+/** How exact coordinates become doubles: values of gcv_options.rounding. */
+enum {
+  /** Each coordinate is the double nearest to the exact one, ties to even. */
+  GCV_ROUND_NEAREST = 0,
+  /** The returned region contains the exact one. Refused by this version with
+   *  GCV_ERR_INVALID_ARGUMENT. */
+  GCV_ROUND_OUTWARD = 1
+};
+
+/**
+ * Options of a computation. Start from GCV_OPTIONS_INIT or gcv_options_init, then
+ * set fields: a program compiled with this header keeps working with a later
+ * library whose struct has more fields. A struct_size above that of the running
+ * library is accepted where all that the library does not know is 0.
+ */
+typedef struct gcv_options {
+  /** sizeof(gcv_options) as the caller compiled it. */
+  uint32_t struct_size;
+  /** GCV_ROUND_NEAREST or GCV_ROUND_OUTWARD. */
+  int32_t rounding;
+  /** How far, in input units, the result may be from the exact one. 0: not at
+   *  all, but for the rounding. Other values are refused by this version with
+   *  GCV_ERR_INVALID_ARGUMENT. */
+  double tolerance;
+} gcv_options;
+
+/** The default options, as an initialiser. */
+#define GCV_OPTIONS_INIT {sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0}
+
+/** Sets the default options. NULL is allowed and does nothing. @since 0.1 */
+GCV_API void gcv_options_init(gcv_options *options);
+
+/* ------------------------------------------------------------- outer face -- */
+
+/** The outer face of a Minkowski sum. Opaque, immutable. */
+typedef struct gcv_outer_face gcv_outer_face;
+
+/**
+ * The outer face of the Minkowski sum A + B: the boundary of the unbounded
+ * component of the plane without A + B.
+ *
+ * @param a, b     the polygons; the same handle may be given twice.
+ * @param options  or NULL for the defaults.
+ * @param out      the new outer face, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
+ *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
+ *         where the doubles nearest to its vertices do not form a simple ring;
+ *         GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ * Exactness: the exact ring (gcv_outer_face_exact_vertex) is exact; the doubles of
+ * gcv_outer_face_vertices are correctly rounded from it and form a simple ring.
+ * Cost: near-linear in the output for most inputs (the walk visits edges on the
+ * outer face only). Threads: any. Source: the paper, sections 3 and 4.3 (walking
+ * the outer face). @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum(const gcv_polygon *a, const gcv_polygon *b,
+                                                   const gcv_options *options,
+                                                   gcv_outer_face **out);
+
+/**
+ * The no-fit polygon fixed + (-moving) + reference: where the point `reference`,
+ * tied to `moving`, may go while the two polygons touch. With the point inside the
+ * ring they overlap; on it they touch; outside they are apart.
+ *
+ * @param fixed, moving  the polygons.
+ * @param reference      x and y of the reference point of `moving`, finite.
+ * @param options        or NULL for the defaults.
+ * @param out            the new outer face, the caller's. In its sources, a is an
+ *                       index in `fixed` and b one in `moving`.
+ * @return as gcv_minkowski_sum, and GCV_ERR_NOT_FINITE for the reference point.
+ * Exactness: the reference point is added exactly, before rounding. Cost, threads:
+ * as gcv_minkowski_sum. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon(const gcv_polygon *fixed,
+                                                    const gcv_polygon *moving,
+                                                    const double reference[2],
+                                                    const gcv_options *options,
+                                                    gcv_outer_face **out);
+
+/**
+ * Shi's entrance block E(A, B) = { b - a + a0 } = B + (-A) + a0, for contact
+ * detection: where the point a0 of block A may go while A and B touch.
+ *
+ * @param a, b     the blocks.
+ * @param a0       x and y of the reference point of A, finite.
+ * @param options  or NULL for the defaults.
+ * @param out      the new outer face, the caller's. In its sources, a is an index
+ *                 in `a` and b one in `b`.
+ * @return as gcv_no_fit_polygon. Exactness, cost, threads: as there.
+ * Source: the paper, section 1 (applications). @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_entrance_block(const gcv_polygon *a, const gcv_polygon *b,
+                                                    const double a0[2], const gcv_options *options,
+                                                    gcv_outer_face **out);
+
+/** Ends an outer face. NULL is allowed. @since 0.1 */
+GCV_API void gcv_outer_face_destroy(gcv_outer_face *face);
+
+/**
+ * The number of vertices that gcv_outer_face_vertices gives.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Cost: O(1). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_vertex_count(const gcv_outer_face *face,
+                                                             size_t *out);
+
+/**
+ * The outer boundary in doubles: counter-clockwise, from the lexicographically
+ * smallest vertex, no collinear vertices in the exact ring, not closed; a simple
+ * ring in these doubles.
+ *
+ * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.
+ * @param capacity  in vertices.
+ * @param required  the number of vertices.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: correctly rounded. Cost: O(n). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_vertices(const gcv_outer_face *face, double *xy,
+                                                         size_t capacity, size_t *required);
+
+/**
+ * The number of vertices of the exact ring.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Cost: O(1). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_exact_vertex_count(const gcv_outer_face *face,
+                                                                   size_t *out);
+
+/**
+ * One vertex of the exact ring as two fractions, "p/q r/s": in lowest terms,
+ * denominators positive and always written. The exact ring is counter-clockwise,
+ * from its lexicographically smallest vertex, without collinear vertices.
+ *
+ * @param index     from 0 to the exact vertex count less 1.
+ * @param text      room for `capacity` bytes; or NULL.
+ * @param capacity  in bytes.
+ * @param required  the length of the text with its final NUL.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_INVALID_ARGUMENT for the index,
+ *         GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
+ * Exactness: exact. Cost: O(1) rational operations, at each call. Threads: any.
+ * @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_exact_vertex(const gcv_outer_face *face,
+                                                             size_t index, char *text,
+                                                             size_t capacity, size_t *required);
+
+/** The kind of a superset edge (the paper, section 3): gcv_edge_source.kind. */
+enum {
+  /** Edge a of A, translated by vertex b of B. */
+  GCV_EDGE_TRANSLATED = 1,
+  /** Edge b of B, translated by vertex a of A. */
+  GCV_EDGE_CORNER = 2,
+  /** Edge a of A and edge b of B, which have the same direction, merged. */
+  GCV_EDGE_TRANSLATED_CORNER = 3
+};
+
+/**
+ * Where an edge of the sum comes from. a is a vertex or edge number of A, b one of
+ * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
+ * vertex k to k+1. Of merged collinear edges, the first along the counter-clockwise
+ * ring. Of repeated vertices, the last along it.
+ */
+typedef struct gcv_edge_source {
+  int32_t kind;
+  uint32_t a;
+  uint32_t b;
+} gcv_edge_source;
+
+/**
+ * The source of every edge of the exact ring: element i is for the edge from exact
+ * vertex i to i+1. Where several superset edges overlap on the ring, one of them.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of edges.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: exact. Cost: O(n). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_face *face,
+                                                             gcv_edge_source *out, size_t capacity,
+                                                             size_t *required);
+
+/**
+ * An upper bound on the Hausdorff distance between the returned ring and the exact
+ * ring, in input units: 0 where every coordinate is a double.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
+ * Exactness: a certified bound, rounded up. Cost: O(1). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_error_bound(const gcv_outer_face *face,
+                                                            double *out);
+
+/**
+ * The area inside the returned ring, in square units.
+ *
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where the area is larger
+ *         than any finite double.
+ * Exactness: the area of the ring of doubles, correctly rounded. Cost: O(n).
+ * Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_area(const gcv_outer_face *face, double *out);
+
+/**
+ * The returned ring as Well-Known Text, "POLYGON ((x y, ..., x y))", closed, each
+ * number with the fewest digits that read back as the same double.
+ *
+ * @param text      room for `capacity` bytes; or NULL.
+ * @param capacity  in bytes.
+ * @param required  the length of the text with its final NUL.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL,
+ *         GCV_ERR_NO_MEMORY.
+ * Exactness: reads back to the doubles of gcv_outer_face_vertices. Cost: O(n), at
+ * each call. Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_wkt(const gcv_outer_face *face, char *text,
+                                                    size_t capacity, size_t *required);
+
+/**
+ * The returned ring as a polygon, ready for the next sum.
+ *
+ * @param out  the new polygon, the caller's; its numbers are those of
+ *             gcv_outer_face_vertices.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_NO_MEMORY.
+ * Exactness: the doubles of gcv_outer_face_vertices. Cost: O(n log n).
+ * Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_polygon(const gcv_outer_face *face,
+                                                        gcv_polygon **out);
+
+/** What a computation took: counts, not times. Set struct_size before the call. */
+typedef struct gcv_stats {
+  /** sizeof(gcv_stats) as the caller compiled it. */
+  uint32_t struct_size;
+  /** Edges that the walk went along. */
+  uint64_t walk_steps;
+  /** Superset edges that it looked at. */
+  uint64_t candidate_edges;
+  /** Predicates settled by doubles with a proven error bound or by indices. */
+  uint64_t predicates_filtered;
+  /** Predicates settled by integers of at most 512 bits, without heap memory. */
+  uint64_t predicates_fixed_width;
+  /** Predicates that needed arbitrary-precision arithmetic. */
+  uint64_t predicates_rational;
+  /** Vertices moved further than to the nearest double to keep the ring simple. */
+  uint64_t vertices_repaired;
+} gcv_stats;
+
+/**
+ * What the computation of this outer face took. The counts are the same on every
+ * run with the same version of the library.
+ *
+ * @param out  with struct_size set; as many bytes as it says are written.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for a
+ *         struct_size below that of version 0.1.
+ * Cost: O(1). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_stats(const gcv_outer_face *face, gcv_stats *out);
+
+/* --------------------------------------------------------------- superset -- */
+
+/** The explicit superset of the outer face. Opaque, immutable. */
+typedef struct gcv_superset gcv_superset;
+
+/** One edge of the superset, from (x0, y0) to (x1, y1). */
+typedef struct gcv_superset_edge {
+  double x0, y0, x1, y1;
+  gcv_edge_source source;
+} gcv_superset_edge;
+
+/**
+ * The superset of the outer face of A + B that the paper builds (Definition 1 and
+ * the three cases of translated-corner edges), after collinear vertices of A and B
+ * are dropped. For plots, for tests and for readers of the paper: sums do not need
+ * it, and it can have in the order of n m edges.
+ *
+ * @param a, b  the polygons.
+ * @param out   the new superset, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where a coordinate is no
+ *         finite double; GCV_ERR_NO_MEMORY.
+ * Exactness: which edges there are is exact; their coordinates are correctly
+ * rounded. Cost: O((n + m) log(n + m) + edges). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_superset_create(const gcv_polygon *a, const gcv_polygon *b,
+                                                     gcv_superset **out);
+
+/** Ends a superset. NULL is allowed. @since 0.1 */
+GCV_API void gcv_superset_destroy(gcv_superset *superset);
+
+/**
+ * The edges of the superset: first the translated ones, then the corner edges, then
+ * the translated-corner edges, each kind by a, then by b, in the order of the
+ * normalised rings.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of edges.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: as gcv_superset_create. Cost: O(edges). Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_superset_edges(const gcv_superset *superset,
+                                                    gcv_superset_edge *out, size_t capacity,
+                                                    size_t *required);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif /* GCV_GCV_H */

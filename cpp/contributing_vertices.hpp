@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Generalized contributing vertices (the paper, section 3, Definition 1 and Eq. 5) and
+// the superset edges that two edges of equal direction merge into.
+//
+// Vertex v_k of B is a generalized contributing vertex for edge e of A with outer
+// normal n when <v_k, n> >= <v_{k-1}, n>, <v_k, n> >= <v_{k+1}, n>, and v_k is not
+// reflex. For a strictly convex v_k this says that the direction of e lies in the
+// closed cone that turns counter-clockwise from the edge that ends in v_k to the edge
+// that starts there: by less than half a turn.
+#pragma once
+
+#include <cstdint>
+
+#include "directions.hpp"
+#include "polygon.hpp"
+
+namespace gcv {
+
+// A superset edge before merging: edge i of A + vertex j of B, or vertex i of A + edge j
+// of B. It starts at the sum of the vertices i and j.
+struct PairEdge {
+  enum Kind : std::uint32_t { translated = 1, corner = 2 };
+  Kind kind;
+  Index i;
+  Index j;
+};
+
+// How a translated and a corner edge of equal direction, from edge i of A and edge j of
+// B, merge into translated-corner edges. v: vertices of A, w: vertices of B.
+enum class Merge : std::uint8_t {
+  none,   // they stay apart: only vertices of one polygon contribute, or only one vertex
+  whole,  // case 1: from v_i + w_j to v_{i+1} + w_{j+1}
+  start,  // case 2: from v_i + w_j, as long as the longer edge
+  end,    // case 3: to v_{i+1} + w_{j+1}, as long as the longer edge
+};
+
+// Two polygons with their directions: what Definition 1 is about.
+struct Operands {
+  const Polygon& a;
+  const Polygon& b;
+  Directions directions;
+
+  // Does vertex j of B contribute to edges of A of that rank, or vertex i of A to B's?
+  [[nodiscard]] bool b_contributes(Index j, Rank rank) const {
+    return contributes(b, directions.rank_b, j, rank);
+  }
+  [[nodiscard]] bool a_contributes(Index i, Rank rank) const {
+    return contributes(a, directions.rank_a, i, rank);
+  }
+
+  [[nodiscard]] Rank rank(const PairEdge& e) const {
+    return e.kind == PairEdge::translated ? directions.rank_a[e.i] : directions.rank_b[e.j];
+  }
+
+  // Edge i of A and edge j of B must have the same direction. A vertex contributes to an
+  // edge with the direction of one of its own edges just when it is convex.
+  [[nodiscard]] Merge merge(Index i, Index j) const {
+    const bool v0 = a.convex[i] != 0;
+    const bool v1 = a.convex[a.next(i)] != 0;
+    const bool w0 = b.convex[j] != 0;
+    const bool w1 = b.convex[b.next(j)] != 0;
+    if ((v0 && w1) || (v1 && w0)) {
+      return Merge::whole;
+    }
+    if (v0 && w0) {
+      return Merge::start;
+    }
+    return v1 && w1 ? Merge::end : Merge::none;
+  }
+
+ private:
+  [[nodiscard]] bool contributes(const Polygon& polygon, const std::vector<Rank>& ranks,
+                                 Index vertex, Rank rank) const {
+    const Rank in = ranks[polygon.previous(vertex)];
+    return polygon.convex[vertex] != 0 &&
+           directions.angle(in, rank) <= directions.angle(in, ranks[vertex]);
+  }
+};
+
+// The edge with its start and its direction in coordinates.
+inline SumEdge coordinates(const Polygon& a, const Polygon& b, const PairEdge& e) {
+  const bool translated = e.kind == PairEdge::translated;
+  const Point& from = translated ? a.vertices[e.i] : b.vertices[e.j];
+  const Point& to = translated ? a.vertices[a.next(e.i)] : b.vertices[b.next(e.j)];
+  return {{a.vertices[e.i], b.vertices[e.j]}, from, to, to.x - from.x, to.y - from.y};
+}
+
+}  // namespace gcv

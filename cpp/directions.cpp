@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "directions.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The sign of the turn from line direction `la` of A to line direction `lb` of B, both
+// taken at angles in [0, pi).
+int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally& tally) {
+  const Index i = a.edge_of_line[la];
+  const Index j = b.edge_of_line[lb];
+  const int sense = a.upper[i] == b.upper[j] ? 1 : -1;
+  return sense * turn(a.vertices[i], a.vertices[a.next(i)], b.vertices[j],
+                      b.vertices[b.next(j)], tally);
+}
+
+std::vector<Rank> ranks(const Polygon& polygon, const std::vector<Rank>& rank_of_line,
+                        Rank half_turn) {
+  std::vector<Rank> result(polygon.size());
+  for (Index i = 0; i < polygon.size(); ++i) {
+    result[i] = rank_of_line[polygon.line_of_edge[i]] + (polygon.upper[i] != 0 ? 0 : half_turn);
+  }
+  return result;
+}
+
+}  // namespace
+
+Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
+  const auto lines_a = static_cast<Index>(a.edge_of_line.size());
+  const auto lines_b = static_cast<Index>(b.edge_of_line.size());
+  std::vector<Rank> rank_of_line_a(lines_a);
+  std::vector<Rank> rank_of_line_b(lines_b);
+  Rank rank = 0;
+  Index la = 0;
+  Index lb = 0;
+  for (; la < lines_a || lb < lines_b; ++rank) {
+    const int order = la == lines_a   ? -1
+                      : lb == lines_b ? 1
+                                      : compare_lines(a, la, b, lb, tally);
+    if (order >= 0) {
+      rank_of_line_a[la++] = rank;
+    }
+    if (order <= 0) {
+      rank_of_line_b[lb++] = rank;
+    }
+  }
+  return {rank, ranks(a, rank_of_line_a, rank), ranks(b, rank_of_line_b, rank)};
+}
+
+}  // namespace gcv

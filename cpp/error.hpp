@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The one exception of the core. Its message lives in a fixed buffer, so that
+// reporting an error never needs memory.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+
+namespace gcv {
+
+// The values are those of gcv_status.
+enum class Status : std::int32_t {
+  ok = 0,
+  null_argument = 1,
+  invalid_argument = 2,
+  not_finite = 3,
+  degenerate = 4,
+  not_simple = 5,
+  buffer_too_small = 6,
+  range = 7,
+  parse = 8,
+  no_memory = 9,
+  internal = 100,
+};
+
+class Error : public std::exception {
+ public:
+  static constexpr int capacity = 512;
+
+  // printf-like; longer messages are cut.
+  [[gnu::format(printf, 3, 4)]] Error(Status status, const char* format, ...) noexcept;
+
+  [[nodiscard]] Status status() const noexcept { return status_; }
+  [[nodiscard]] const char* what() const noexcept override { return message_; }
+
+ private:
+  Status status_;
+  char message_[capacity];
+};
+
+}  // namespace gcv

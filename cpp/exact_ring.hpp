@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The ring of the outer face, exactly: each vertex is known by what it is made of, and
+// its coordinates are fractions that are worked out on demand.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "outer_face.hpp"
+#include "polygon.hpp"
+#include "superset.hpp"
+
+namespace gcv {
+
+struct ExactRing {
+  std::shared_ptr<const Polygon> a;
+  std::shared_ptr<const Polygon> b;
+  Point shift;  // added to every vertex
+  std::vector<RingVertex> vertices;
+  std::vector<PairEdge> arriving;  // at vertex k
+  std::vector<PairEdge> leaving;   // from vertex k: ring edge k lies on it
+
+  [[nodiscard]] std::size_t size() const { return vertices.size(); }
+};
+
+// Vertex k as "p/q r/s", in lowest terms with positive denominators.
+std::string exact_vertex(const ExactRing& ring, std::size_t k);
+
+}  // namespace gcv

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "minkowski_sum.hpp"
+
+#include <utility>
+
+#include "contributing_vertices.hpp"
+#include "directions.hpp"
+#include "outer_face.hpp"
+
+namespace gcv {
+
+namespace {
+
+EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const Polygon& b) {
+  const bool a_is_edge = source.kind != EdgeKind::corner;
+  const bool b_is_edge = source.kind != EdgeKind::translated;
+  return {source.kind, a_is_edge ? a.edge_number[source.a] : a.vertex_number[source.a],
+          b_is_edge ? b.edge_number[source.b] : b.vertex_number[source.b]};
+}
+
+}  // namespace
+
+OuterFace minkowski_sum(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b,
+                        const Point& shift) {
+  OuterFace face;
+  Tally& tally = face.counts.predicates;
+  const Operands operands{*a, *b, merge_directions(*a, *b, tally)};
+  Walk walk = walk_outer_face(operands, tally);
+  face.counts.walk_steps = walk.steps;
+  face.counts.candidate_edges = walk.candidates;
+  face.sources.reserve(walk.leaving.size());
+  for (const PairEdge& e : walk.leaving) {
+    face.sources.push_back(in_callers_numbers(superset_source(operands, e), *a, *b));
+  }
+  face.exact = {std::move(a),          std::move(b),         shift, std::move(walk.vertices),
+                std::move(walk.arriving), std::move(walk.leaving)};
+  face.rounded = round_to_nearest(face.exact, tally);
+  return face;
+}
+
+std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b) {
+  Tally tally;
+  const Operands operands{a, b, merge_directions(a, b, tally)};
+  std::vector<SupersetEdge> edges = enumerate_superset(operands);
+  for (SupersetEdge& edge : edges) {
+    edge.source = in_callers_numbers(edge.source, a, b);
+  }
+  return edges;
+}
+
+}  // namespace gcv

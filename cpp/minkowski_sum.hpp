@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The whole way from two polygons to the ring of doubles.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "exact_ring.hpp"
+#include "polygon.hpp"
+#include "predicates.hpp"
+#include "rounding.hpp"
+#include "superset.hpp"
+
+namespace gcv {
+
+struct Counts {
+  std::uint64_t walk_steps = 0;
+  std::uint64_t candidate_edges = 0;
+  Tally predicates;
+};
+
+struct OuterFace {
+  ExactRing exact;
+  // The superset edge that each edge of the exact ring lies on, in the callers' numbers.
+  std::vector<EdgeSource> sources;
+  RoundedRing rounded;
+  Counts counts;
+};
+
+// The outer face of a + b + shift. Throws Error: range, internal.
+OuterFace minkowski_sum(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b,
+                        const Point& shift);
+
+// The explicit superset of a + b, its sources in the callers' numbers.
+std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);
+
+}  // namespace gcv

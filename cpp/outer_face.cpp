@@ -1,0 +1,392 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Facts that the walk rests on.
+//
+// 1. Every boundary point of A + B lies on a superset edge, and every superset edge lies
+//    in A + B (a closed set).
+// 2. A superset edge, directed as its source edge, has the sum on its left wherever it is
+//    on the boundary.
+// 3. So, walking counter-clockwise along s, the right side of s is free, and the boundary
+//    leaves s at the first point, strictly ahead, in which a superset edge goes to the
+//    right: one that ends strictly right of s and starts left of it or on it. In such a
+//    point, turning from the way back counter-clockwise through the free side, the first
+//    ray that a superset edge takes belongs to the boundary; an edge that arrives there
+//    would have the sum on the free side, so the ray leaves: of all edges that leave, the
+//    most clockwise one is the next.
+// 4. Where s ends first, the same holds in its end, for edges that go straight on or left.
+//    The slit of an exact fit, whose two walls lie on each other, has the sum on both
+//    sides; it is a left turn there, and stays closed.
+// 5. The walk starts in lexmin(A) + lexmin(B), which is the sum of those two vertices
+//    alone, and ends there: the interior of A + B is connected, so the boundary of the
+//    unbounded face is one ring that visits no point twice.
+#include "outer_face.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "error.hpp"
+#include "implicit_superset.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+// A point on a superset edge: the sum of the vertices i and j, or else the crossing with
+// `crossing`, whose parameter on the edge is enclosed by `parameter`.
+struct Place {
+  bool is_sum;
+  Index i;
+  Index j;
+  PairEdge crossing;
+  Interval parameter;
+};
+
+// A superset edge with its coordinates.
+struct Line {
+  PairEdge edge;
+  SumEdge at;
+};
+
+struct Event {
+  Line line;  // the edge that leaves there
+  Place place;
+};
+
+double clamp_to_unit(double parameter) { return std::min(std::max(parameter, 0.0), 1.0); }
+
+// The part of an edge s that is searched, from `from` to `to`, relative to its origin.
+// Boxes of sums are compared with it with some slack: each difference of coordinates is
+// off by at most u times the extents of both polygons, E. A box side is off by 2uE, an
+// end of the segment by 4uE; in the test of the separating line, twice a box's centre
+// and twice its half width are each off by 6uE, and rounding the direction, the products
+// and the sums adds 8uE to each, all times |dx| + |dy|. `slack` is 32uE. The smallest
+// normal double covers underflow. Where anything overflows, no box is dropped.
+class Segment {
+ public:
+  Segment(const SumEdge& s, const Point& from, const Point& to, double slack)
+      : s_(s), from_(from), to_(to), slack_(slack) {}
+
+  void shorten(const Point& to) { to_ = to; }
+
+  [[nodiscard]] bool meets(const Box& a, const Box& b) const {
+    const double x0 = (a.x0 - s_.origin.a.x) + (b.x0 - s_.origin.b.x);
+    const double x1 = (a.x1 - s_.origin.a.x) + (b.x1 - s_.origin.b.x);
+    const double y0 = (a.y0 - s_.origin.a.y) + (b.y0 - s_.origin.b.y);
+    const double y1 = (a.y1 - s_.origin.a.y) + (b.y1 - s_.origin.b.y);
+    if (x1 < std::min(from_.x, to_.x) - slack_ || x0 > std::max(from_.x, to_.x) + slack_ ||
+        y1 < std::min(from_.y, to_.y) - slack_ || y0 > std::max(from_.y, to_.y) + slack_) {
+      return false;
+    }
+    const double dx = std::abs(s_.dx);
+    const double dy = std::abs(s_.dy);
+    const double distance = std::abs(s_.dx * (y0 + y1) - s_.dy * (x0 + x1));
+    const double radius = dx * (y1 - y0) + dy * (x1 - x0);
+    return !(distance > radius + 2 * (dx + dy) * slack_ + std::numeric_limits<double>::min());
+  }
+
+  // How early along s the sum of two boxes begins, up to a constant.
+  [[nodiscard]] double nearness(const Box& a, const Box& b) const {
+    return s_.dx * (s_.dx > 0 ? a.x0 + b.x0 : a.x1 + b.x1) +
+           s_.dy * (s_.dy > 0 ? a.y0 + b.y0 : a.y1 + b.y1);
+  }
+
+ private:
+  const SumEdge& s_;
+  Point from_;
+  Point to_;
+  double slack_;
+};
+
+class Walker {
+ public:
+  Walker(const Operands& operands, Tally& tally)
+      : operands_(operands), directions_(operands.directions), superset_(operands), tally_(tally) {
+    const Box& a = operands.a.bounds();
+    const Box& b = operands.b.bounds();
+    const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
+    slack_ = 32 * unit_roundoff * extents + std::numeric_limits<double>::min();
+  }
+
+  Walk run() {
+    const Index i0 = operands_.a.lexicographic_min;
+    const Index j0 = operands_.b.lexicographic_min;
+    Place place = sum_place(i0, j0);
+    Line line = line_of(first_edge(i0, j0));
+    append(place, line, line);  // the edge that arrives here is known in the end
+    while (true) {
+      check_progress();
+      Line next;
+      if (const std::optional<Event> event = first_event(line, place)) {
+        place = event->place;
+        next = event->line;
+      } else {
+        place = end_of(line.edge);
+        if (place.i == i0 && place.j == j0) {
+          break;
+        }
+        next = edge_onwards(line, place);
+      }
+      if (!place.is_sum) {  // from now on, seen from the next edge
+        place.crossing = line.edge;
+        place.parameter = crossing_parameter(next.at, line.at);
+      }
+      if (operands_.rank(next.edge) != operands_.rank(line.edge)) {
+        append(place, line, next);
+      }
+      line = next;
+    }
+    walk_.arriving.front() = line.edge;
+    return std::move(walk_);
+  }
+
+ private:
+  void append(const Place& place, const Line& arriving, const Line& leaving) {
+    walk_.vertices.push_back({place.is_sum, place.i, place.j});
+    walk_.arriving.push_back(arriving.edge);
+    walk_.leaving.push_back(leaving.edge);
+  }
+
+  // One face of an arrangement of N segments has almost N edges at most, up to a factor
+  // that no real N brings above 64. A walk beyond that has lost its way.
+  void check_progress() {
+    const double segments = 2.0 * operands_.a.size() * operands_.b.size();
+    if (static_cast<double>(++walk_.steps) > 64 * segments) {
+      throw Error(Status::internal, "the walk along the outer face does not end");
+    }
+  }
+
+  [[nodiscard]] Line line_of(const PairEdge& e) const { return {e, coordinates(operands_.a, operands_.b, e)}; }
+
+  static Place sum_place(Index i, Index j) { return {true, i, j, {}, {}}; }
+
+  [[nodiscard]] Place end_of(const PairEdge& e) const {
+    return e.kind == PairEdge::translated ? sum_place(operands_.a.next(e.i), e.j)
+                                          : sum_place(e.i, operands_.b.next(e.j));
+  }
+
+  [[nodiscard]] SumPoint point(Index i, Index j) const {
+    return {operands_.a.vertices[i], operands_.b.vertices[j]};
+  }
+  [[nodiscard]] SumPoint end_point(const PairEdge& e) const {
+    const Place end = end_of(e);
+    return point(end.i, end.j);
+  }
+
+  // On which side of the line lies the sum of the vertices i and j? Where it is an end of
+  // the edge, the indices say so.
+  int side_of_sum(const Line& line, Index i, Index j) {
+    const Place end = end_of(line.edge);
+    if ((i == line.edge.i && j == line.edge.j) || (i == end.i && j == end.j)) {
+      ++tally_.filtered;
+      return 0;
+    }
+    return side(line.at, point(i, j), tally_);
+  }
+
+  // The sign of the way from p to q along the edge, for points on its line.
+  int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q) {
+    if (e.from.x != e.to.x) {
+      const int order = compare_sums(q.a.x, q.b.x, p.a.x, p.b.x, tally_);
+      return e.from.x < e.to.x ? order : -order;
+    }
+    const int order = compare_sums(q.a.y, q.b.y, p.a.y, p.b.y, tally_);
+    return e.from.y < e.to.y ? order : -order;
+  }
+
+  // Does e reach further than f? Both lie on one line, in the same direction.
+  bool reaches_further(const Line& e, const Line& f) {
+    return compare_along(f.at, end_point(f.edge), end_point(e.edge)) > 0;
+  }
+
+  // Of the two edges that start in lexmin(A) + lexmin(B), the more clockwise one.
+  PairEdge first_edge(Index i, Index j) {
+    const PairEdge translated{PairEdge::translated, i, j};
+    const PairEdge corner{PairEdge::corner, i, j};
+    const Rank angle = directions_.angle(operands_.rank(translated), operands_.rank(corner));
+    if (angle == 0) {
+      return reaches_further(line_of(translated), line_of(corner)) ? translated : corner;
+    }
+    return angle < directions_.half_turn ? translated : corner;
+  }
+
+  [[nodiscard]] Rank wrapped(Rank rank) const { return rank % (2 * directions_.half_turn); }
+
+  // A place on s, relative to its origin, not beyond its exact position.
+  [[nodiscard]] Point relative_position(const SumEdge& s, const Place& place) const {
+    if (place.is_sum) {
+      const SumPoint p = point(place.i, place.j);
+      return {(p.a.x - s.origin.a.x) + (p.b.x - s.origin.b.x),
+              (p.a.y - s.origin.a.y) + (p.b.y - s.origin.b.y)};
+    }
+    const double parameter = clamp_to_unit(place.parameter.lo);
+    return {parameter * s.dx, parameter * s.dy};
+  }
+
+  // The first point on s, beyond `place`, in which an edge leaves to the right (fact 3),
+  // and the most clockwise of those that do.
+  std::optional<Event> first_event(const Line& s, const Place& place) {
+    const Rank rank = operands_.rank(s.edge);
+    const Rank half_turn = directions_.half_turn;
+    const RankRange right{wrapped(rank + half_turn + 1), wrapped(rank + 2 * half_turn - 1)};
+    Segment segment(s.at, relative_position(s.at, place), {s.at.dx, s.at.dy}, slack_);
+    std::optional<Event> best;
+    superset_.search(
+        right, [&](const Box& a, const Box& b) { return segment.meets(a, b); },
+        [&](const Box& a, const Box& b) { return segment.nearness(a, b); },
+        [&](const PairEdge& e) {
+          ++walk_.candidates;
+          const Line t = line_of(e);
+          const Place end = end_of(e);
+          if (side_of_sum(s, end.i, end.j) >= 0) {
+            return;
+          }
+          const int start_side = side_of_sum(s, e.i, e.j);
+          if (start_side < 0) {
+            return;
+          }
+          Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
+          if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
+            return;
+          }
+          best = event;
+          const double parameter = clamp_to_unit(event.place.parameter.hi);
+          segment.shorten({parameter * s.at.dx, parameter * s.at.dy});
+        });
+    return best;
+  }
+
+  // Is the event strictly beyond the place on s? An event edge t goes from left to right,
+  // so a point p of s before the event lies on the right of t. The edge that crosses s in
+  // the place goes from right to left: s leaves it to the right.
+  bool is_ahead(const Line& s, const Place& place, const Event& event) {
+    if (place.is_sum) {
+      return side_of_sum(event.line, place.i, place.j) < 0;
+    }
+    const Line r = line_of(place.crossing);
+    if (event.place.is_sum) {
+      return side_of_sum(r, event.place.i, event.place.j) < 0;
+    }
+    return compare_parameters(s, event.place.parameter, event.line, place.parameter, r) > 0;
+  }
+
+  int compare_parameters(const Line& s, const Interval& pt, const Line& t, const Interval& pr,
+                         const Line& r) {
+    if (pt.hi < pr.lo || pt.lo > pr.hi) {
+      ++tally_.filtered;
+      return pt.hi < pr.lo ? -1 : 1;
+    }
+    return compare_crossings(s.at, t.at, r.at, tally_);
+  }
+
+  // Does the event come before the best one so far, or, in the same point, is it more
+  // clockwise or longer? Without a best one: does it come before the end of s, or there?
+  // In a tie the event takes a place that is known as a sum of two vertices.
+  bool precedes(const Line& s, Event& event, std::optional<Event>& best) {
+    if (!best) {
+      const Place end = end_of(s.edge);
+      const int order = side_of_sum(event.line, end.i, end.j);
+      if (order == 0 && !event.place.is_sum) {
+        take_sum(event.place, end);
+      }
+      return order >= 0;
+    }
+    const int order = compare_events(s, event, *best);
+    if (order != 0) {
+      return order < 0;
+    }
+    if (event.place.is_sum) {
+      take_sum(best->place, event.place);
+    } else if (best->place.is_sum) {
+      take_sum(event.place, best->place);
+    }
+    const Rank rank = operands_.rank(s.edge);
+    const Rank angle = directions_.angle(rank, operands_.rank(event.line.edge));
+    const Rank best_angle = directions_.angle(rank, operands_.rank(best->line.edge));
+    return angle < best_angle ||
+           (angle == best_angle && reaches_further(event.line, best->line));
+  }
+
+  static void take_sum(Place& place, const Place& sum) {
+    place.is_sum = true;
+    place.i = sum.i;
+    place.j = sum.j;
+  }
+
+  int compare_events(const Line& s, const Event& event, const Event& best) {
+    if (best.place.is_sum) {
+      return -side_of_sum(event.line, best.place.i, best.place.j);
+    }
+    if (event.place.is_sum) {
+      return side_of_sum(best.line, event.place.i, event.place.j);
+    }
+    return compare_parameters(s, event.place.parameter, event.line, best.place.parameter,
+                              best.line);
+  }
+
+  // The most clockwise of the edges that pass through the end of s, or start there, and
+  // go straight on or left (fact 4); of those in one direction, the one that reaches
+  // furthest.
+  Line edge_onwards(const Line& s, const Place& end) {
+    const Rank rank = operands_.rank(s.edge);
+    const SumPoint q = point(end.i, end.j);
+    std::optional<Line> best;
+    const auto angle = [&](const Line& t) {
+      return directions_.angle(rank, operands_.rank(t.edge));
+    };
+    const auto consider = [&](const PairEdge& e) {
+      const Line t = line_of(e);
+      if (best && angle(t) > angle(*best)) {
+        return;
+      }
+      if (!leaves(t, end, q)) {
+        return;
+      }
+      if (!best || angle(t) < angle(*best) || reaches_further(t, *best)) {
+        best = t;
+      }
+    };
+    const SumEdge here{q, {}, {}, 0, 0};
+    const Segment segment(here, {0, 0}, {0, 0}, slack_);
+    superset_.search(
+        {rank, wrapped(rank + directions_.half_turn - 1)},
+        [&](const Box& a, const Box& b) { return segment.meets(a, b); },
+        [](const Box&, const Box&) { return 0.0; },
+        [&](const PairEdge& e) {
+          ++walk_.candidates;
+          consider(e);
+        });
+    if (!best) {
+      throw Error(Status::internal, "no superset edge leads on from vertex %u of a + vertex %u of b",
+                  operands_.a.vertex_number[end.i], operands_.b.vertex_number[end.j]);
+    }
+    return *best;
+  }
+
+  // Does t pass through the point q = vertex i + vertex j, or start there?
+  bool leaves(const Line& t, const Place& place, const SumPoint& q) {
+    if (t.edge.i == place.i && t.edge.j == place.j) {
+      return true;
+    }
+    return side_of_sum(t, place.i, place.j) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
+           compare_along(t.at, q, end_point(t.edge)) > 0;
+  }
+
+  const Operands& operands_;
+  const Directions& directions_;
+  ImplicitSuperset superset_;
+  Tally& tally_;
+  double slack_ = 0;
+  Walk walk_;
+};
+
+}  // namespace
+
+Walk walk_outer_face(const Operands& operands, Tally& tally) {
+  return Walker(operands, tally).run();
+}
+
+}  // namespace gcv

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "polygon.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "error.hpp"
+#include "predicates.hpp"
+#include "simplicity.hpp"
+
+namespace gcv {
+
+namespace {
+
+// A boundary under preparation: points with the caller's numbers of the vertex and of
+// the edge behind it.
+struct Chain {
+  std::vector<Point> points;
+  std::vector<Index> vertex;
+  std::vector<Index> edge;
+
+  [[nodiscard]] std::size_t size() const { return points.size(); }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
+  [[nodiscard]] std::size_t previous(std::size_t i) const { return (i == 0 ? size() : i) - 1; }
+
+  void reserve(std::size_t n) {
+    points.reserve(n);
+    vertex.reserve(n);
+    edge.reserve(n);
+  }
+  void append(const Point& point, Index vertex_number, Index edge_number) {
+    points.push_back(point);
+    vertex.push_back(vertex_number);
+    edge.push_back(edge_number);
+  }
+};
+
+void check_finite(std::span<const Point> boundary, const char* name) {
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const Point& p = boundary[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+      throw Error(Status::not_finite, "%s: the %s coordinate of vertex %zu is %g, not a finite number",
+                  name, std::isfinite(p.x) ? "y" : "x", i, std::isfinite(p.x) ? p.y : p.x);
+    }
+  }
+}
+
+// Without the closing vertex and without repeated vertices, of which the last stays:
+// the edge behind it is the one that leads on.
+Chain without_repetitions(std::span<const Point> boundary) {
+  std::size_t count = boundary.size();
+  while (count > 1 && boundary[count - 1] == boundary[0]) {
+    --count;
+  }
+  Chain chain;
+  chain.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point& p = boundary[i];
+    if (i + 1 < count && boundary[i + 1] == p) {
+      continue;
+    }
+    // Adding 0 turns -0 into 0.
+    chain.append({p.x + 0.0, p.y + 0.0}, static_cast<Index>(i), static_cast<Index>(i));
+  }
+  return chain;
+}
+
+bool all_collinear(const Chain& chain, Tally& tally) {
+  for (std::size_t i = 2; i < chain.size(); ++i) {
+    if (orientation(chain.points[0], chain.points[1], chain.points[i], tally) != 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Does the chain turn back at q? p, q, r are collinear, q differs from p and r.
+bool turns_back(const Point& p, const Point& q, const Point& r) {
+  return p.x == q.x ? (p.y < q.y) != (q.y < r.y) : (p.x < q.x) != (q.x < r.x);
+}
+
+void check_simple(const Chain& chain, const char* name, Tally& tally) {
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const std::size_t before = chain.previous(i);
+    const Point& p = chain.points[before];
+    const Point& q = chain.points[i];
+    const Point& r = chain.points[chain.next(i)];
+    if (orientation(p, q, r, tally) == 0 && turns_back(p, q, r)) {
+      throw Error(Status::not_simple, "%s: edges %u and %u overlap: the ring turns back at vertex %u (%.17g, %.17g)",
+                  name, chain.edge[before], chain.edge[i], chain.vertex[i], q.x, q.y);
+    }
+  }
+  if (const auto conflict = find_conflict(chain.points)) {
+    const Point& p = chain.points[conflict->first];
+    const Point& q = chain.points[conflict->second];
+    throw Error(Status::not_simple,
+                "%s: edges %u and %u meet; they start at (%.17g, %.17g) and (%.17g, %.17g)", name,
+                chain.edge[conflict->first], chain.edge[conflict->second], p.x, p.y, q.x, q.y);
+  }
+}
+
+Chain without_collinear(const Chain& chain, Tally& tally) {
+  Chain corners;
+  corners.reserve(chain.size());
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    if (orientation(chain.points[chain.previous(i)], chain.points[i], chain.points[chain.next(i)],
+                    tally) != 0) {
+      corners.append(chain.points[i], chain.vertex[i], chain.edge[i]);
+    }
+  }
+  return corners;
+}
+
+// Turns a clockwise simple ring round. Edge i, from vertex i to i+1, becomes the edge
+// that starts at vertex i+1; of the caller's edges on one straight line, the first
+// along the new ring is the last of the old one, just before vertex i+1 in `chain`.
+void make_counter_clockwise(Chain& corners, const Chain& chain, Tally& tally) {
+  const std::size_t lowest = static_cast<std::size_t>(
+      std::min_element(corners.points.begin(), corners.points.end(), lexicographically_less) -
+      corners.points.begin());
+  if (orientation(corners.points[corners.previous(lowest)], corners.points[lowest],
+                  corners.points[corners.next(lowest)], tally) > 0) {
+    return;
+  }
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    while (chain.vertex[k] != corners.vertex[i]) {
+      ++k;
+    }
+    corners.edge[i] = chain.edge[chain.previous(k)];
+  }
+  std::reverse(corners.points.begin(), corners.points.end());
+  std::reverse(corners.vertex.begin(), corners.vertex.end());
+  std::reverse(corners.edge.begin(), corners.edge.end());
+}
+
+void start_at_lexicographic_min(Chain& chain) {
+  const auto shift =
+      std::min_element(chain.points.begin(), chain.points.end(), lexicographically_less) -
+      chain.points.begin();
+  std::rotate(chain.points.begin(), chain.points.begin() + shift, chain.points.end());
+  std::rotate(chain.vertex.begin(), chain.vertex.begin() + shift, chain.vertex.end());
+  std::rotate(chain.edge.begin(), chain.edge.begin() + shift, chain.edge.end());
+}
+
+void sort_directions(Polygon& polygon, Tally& tally) {
+  const Index n = polygon.size();
+  polygon.upper.resize(n);
+  for (Index i = 0; i < n; ++i) {
+    const Point& p = polygon.vertices[i];
+    const Point& q = polygon.vertices[polygon.next(i)];
+    polygon.upper[i] = p.y < q.y || (p.y == q.y && p.x < q.x);
+  }
+  const auto compare = [&](Index i, Index j) {
+    const Index from_i = polygon.upper[i] != 0 ? i : polygon.next(i);
+    const Index from_j = polygon.upper[j] != 0 ? j : polygon.next(j);
+    const Index to_i = polygon.upper[i] != 0 ? polygon.next(i) : i;
+    const Index to_j = polygon.upper[j] != 0 ? polygon.next(j) : j;
+    return turn(polygon.vertices[from_i], polygon.vertices[to_i], polygon.vertices[from_j],
+                polygon.vertices[to_j], tally);
+  };
+  std::vector<Index> order(n);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return compare(i, j) > 0; });
+  polygon.line_of_edge.resize(n);
+  for (Index k = 0; k < n; ++k) {
+    if (k == 0 || compare(order[k - 1], order[k]) != 0) {
+      polygon.edge_of_line.push_back(order[k]);
+    }
+    polygon.line_of_edge[order[k]] = static_cast<Index>(polygon.edge_of_line.size() - 1);
+  }
+}
+
+void mark_convex(Polygon& polygon, Tally& tally) {
+  polygon.convex.resize(polygon.size());
+  for (Index i = 0; i < polygon.size(); ++i) {
+    polygon.convex[i] = orientation(polygon.vertices[polygon.previous(i)], polygon.vertices[i],
+                                    polygon.vertices[polygon.next(i)], tally) > 0;
+  }
+}
+
+}  // namespace
+
+Polygon make_polygon(std::span<const Point> boundary, const char* name) {
+  constexpr std::size_t most = 0x7fffffff;
+  if (boundary.size() > most) {
+    throw Error(Status::invalid_argument, "%s: %zu vertices are more than %zu", name,
+                boundary.size(), most);
+  }
+  check_finite(boundary, name);
+  Tally tally;
+  const Chain chain = without_repetitions(boundary);
+  if (chain.size() < 3) {
+    throw Error(Status::degenerate, "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed",
+                name, chain.size(), boundary.size());
+  }
+  if (all_collinear(chain, tally)) {
+    throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, boundary.size());
+  }
+  check_simple(chain, name, tally);
+  Chain corners = without_collinear(chain, tally);
+  make_counter_clockwise(corners, chain, tally);
+  start_at_lexicographic_min(corners);
+
+  Polygon polygon;
+  polygon.vertices = std::move(corners.points);
+  polygon.vertex_number = std::move(corners.vertex);
+  polygon.edge_number = std::move(corners.edge);
+  polygon.lexicographic_max = static_cast<Index>(
+      std::max_element(polygon.vertices.begin(), polygon.vertices.end(), lexicographically_less) -
+      polygon.vertices.begin());
+  mark_convex(polygon, tally);
+  sort_directions(polygon, tally);
+  polygon.tree = build_chain_tree(polygon.vertices);
+  return polygon;
+}
+
+Polygon reflected(const Polygon& polygon) {
+  Polygon result = polygon;
+  // 0 - x rather than -x: the reflection of 0 is 0, not -0.
+  for (Point& p : result.vertices) {
+    p = {0.0 - p.x, 0.0 - p.y};
+  }
+  for (Box& box : result.tree.boxes) {
+    box = {0.0 - box.x1, 0.0 - box.y1, 0.0 - box.x0, 0.0 - box.y0};
+  }
+  for (std::uint8_t& upper : result.upper) {
+    upper ^= 1;
+  }
+  std::swap(result.lexicographic_min, result.lexicographic_max);
+  return result;
+}
+
+}  // namespace gcv

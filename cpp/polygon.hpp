@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A simple polygon, validated, normalised and prepared: everything that sums need and
+// that depends on one polygon alone. Immutable once made.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "chain_tree.hpp"
+#include "point.hpp"
+
+namespace gcv {
+
+using Index = std::uint32_t;
+
+struct Polygon {
+  // The ring: counter-clockwise, from the lexicographically smallest vertex, without
+  // repeated and without collinear vertices. Edge i goes from vertex i to vertex i+1.
+  std::vector<Point> vertices;
+
+  // The caller's number of vertex i, and of the edge that starts there (of merged
+  // edges, the first along the ring).
+  std::vector<Index> vertex_number;
+  std::vector<Index> edge_number;
+
+  // Vertex i is strictly convex, or else strictly reflex.
+  std::vector<std::uint8_t> convex;
+
+  // Directions up to sign, sorted. The line directions (angles in [0, pi)) that occur
+  // are numbered in counter-clockwise order; an edge points along its line direction
+  // (upper: angle in [0, pi)) or against it.
+  std::vector<Index> line_of_edge;
+  std::vector<std::uint8_t> upper;
+  std::vector<Index> edge_of_line;  // one edge with that line direction
+
+  ChainTree tree;
+  Index lexicographic_min = 0;
+  Index lexicographic_max = 0;
+
+  [[nodiscard]] Index size() const { return static_cast<Index>(vertices.size()); }
+  [[nodiscard]] Index next(Index i) const { return i + 1 == size() ? 0 : i + 1; }
+  [[nodiscard]] Index previous(Index i) const { return (i == 0 ? size() : i) - 1; }
+  [[nodiscard]] const Box& bounds() const { return tree.boxes.back(); }
+};
+
+// The polygon with the given boundary: either orientation, closed or not, repeated and
+// collinear vertices allowed. `name` is its name in messages, such as "polygon".
+// Throws Error: invalid_argument, not_finite, degenerate, not_simple.
+Polygon make_polygon(std::span<const Point> boundary, const char* name);
+
+// -P = { -p : p in P }, with the same numbers. Every line direction stays, every edge
+// points the other way; what was prepared is carried over. O(n).
+Polygon reflected(const Polygon& polygon);
+
+}  // namespace gcv

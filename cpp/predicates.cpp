@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Error bounds. Let u = 2^-53 and eta = 2^-1074, the smallest double. Rounding to
+// nearest gives fl(x + y) = (x + y)(1 + e), |e| <= u, always (sums do not underflow),
+// and fl(x y) = x y (1 + e) + h, |h| <= eta / 2. An overflow makes a bound infinite
+// or NaN, and then "|value| > bound" is false: the next tier decides. So every bound
+// below holds for every finite input.
+//
+// Contraction to fused multiply-add would not break the bounds, but would let results
+// of the filters, and with them the statistics, differ between compilers: the build
+// turns it off.
+#include "predicates.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "exact_numbers.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+constexpr double cross_error = 8 * unit_roundoff;
+constexpr double underflow_error = 8 * std::numeric_limits<double>::denorm_min();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Approximation {
+  double value;
+  double error;
+};
+
+// d x w for a direction d, each coordinate rounded once from a difference, and an
+// offset w = p + q, each of p and q rounded once from a difference; m = fl(|p| + |q|).
+//
+// |w - W| <= 2u(1 + 4u) m and |w| <= (1 + 3u) m (W: the exact offset); |d - D| <= u |d|.
+// So |dx wy - Dx Wy| <= 3u(1 + 8u) |dx| my, the rounding of the product adds at most
+// u(1 + 4u) |dx| my + eta / 2, and the subtraction u(1 + 8u) (|dx| my + |dy| mx). All
+// told less than 6u (|dx| my + |dy| mx) + eta; the error computed here, 8u (...) + 8 eta
+// with three roundings and underflows of its own, is larger.
+Approximation cross_of_offset(double dx, double dy, const SumPoint& from, const SumPoint& to) {
+  const double px = to.a.x - from.a.x;
+  const double py = to.a.y - from.a.y;
+  const double qx = to.b.x - from.b.x;
+  const double qy = to.b.y - from.b.y;
+  const double value = dx * (py + qy) - dy * (px + qx);
+  const double size = std::abs(dx) * (std::abs(py) + std::abs(qy)) +
+                      std::abs(dy) * (std::abs(px) + std::abs(qx));
+  return {value, cross_error * size + underflow_error};
+}
+
+// v x w where each coordinate was rounded once: the same with W = p, q = 0.
+Approximation cross_of_directions(double vx, double vy, double wx, double wy) {
+  const double left = vx * wy;
+  const double right = vy * wx;
+  return {left - right, cross_error * (std::abs(left) + std::abs(right)) + underflow_error};
+}
+
+bool certain(const Approximation& a) { return std::abs(a.value) > a.error; }
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+
+}  // namespace
+
+int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
+  const Approximation approximation =
+      cross_of_directions(p1.x - p0.x, p1.y - p0.y, q1.x - q0.x, q1.y - q0.y);
+  if (certain(approximation)) {
+    ++tally.filtered;
+    return sign_of(approximation.value);
+  }
+  const Grid grid{p0, p1, q0, q1};
+  return with_integers(2 * grid.bits() + 3, tally, [&]<class Integer>() {
+    return sign(cross(vector_between<Integer>(grid, p0, p1), vector_between<Integer>(grid, q0, q1)));
+  });
+}
+
+int orientation(const Point& p, const Point& q, const Point& r, Tally& tally) {
+  return turn(p, q, p, r, tally);
+}
+
+int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  const Approximation approximation = cross_of_offset(s.dx, s.dy, s.origin, point);
+  if (certain(approximation)) {
+    ++tally.filtered;
+    return sign_of(approximation.value);
+  }
+  Grid grid{point.a, point.b};
+  grid.include(s);
+  return with_integers(2 * grid.bits() + 4, tally, [&]<class Integer>() {
+    return sign(cross(vector_between<Integer>(grid, s.from, s.to),
+                      vector_between<Integer>(grid, s.origin, point)));
+  });
+}
+
+// Rounding is monotonic: sums that round differently compare as their roundings do.
+// Where they round to the same double, the errors decide, which TwoSum gives exactly.
+int compare_sums(double a, double b, double c, double d, Tally& tally) {
+  const double first = a + b;
+  const double second = c + d;
+  if (std::isfinite(first) && std::isfinite(second)) {
+    ++tally.filtered;
+    if (first != second) {
+      return sign_of(first - second);
+    }
+    const auto error = [](double x, double y, double sum) {
+      const double y_part = sum - x;
+      return (x - (sum - y_part)) + (y - y_part);
+    };
+    return sign_of(error(a, b, first) - error(c, d, second));
+  }
+  const Grid grid{Point{a, b}, Point{c, d}};
+  return with_integers(grid.bits() + 2, tally, [&]<class Integer>() {
+    const Integer sum = grid.integer<Integer>(a) + grid.integer<Integer>(b);
+    return sign(Integer(sum - grid.integer<Integer>(c) - grid.integer<Integer>(d)));
+  });
+}
+
+// lambda_t = N / D, as in crossing(). With |N - N'| <= eN, |D - D'| <= eD (primes: exact)
+// and |D| > 2 eD, |D'| >= |D| / 2, so
+//   |N' / D' - N / D| = |(N' - N) D - N (D' - D)| / |D D'| <= 2 (eN + |N / D| eD) / |D|.
+// The roundings of the quotient, of this bound and of lo and hi are below 4u |N / D| and
+// 16u of the bound; the smallest normal double covers underflow.
+Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
+  const Approximation n = cross_of_offset(-t.dx, -t.dy, s.origin, t.origin);
+  const Approximation d = cross_of_directions(s.dx, s.dy, t.dx, t.dy);
+  const double size = std::abs(d.value);
+  if (!(size > 2 * d.error)) {
+    return {-infinity, infinity};
+  }
+  const double quotient = n.value / d.value;
+  const double error = (1 + 16 * unit_roundoff) * (2 * (n.error + std::abs(quotient) * d.error) /
+                                                       size +
+                                                   4 * unit_roundoff * std::abs(quotient)) +
+                       std::numeric_limits<double>::min();
+  if (!std::isfinite(quotient) || !std::isfinite(error)) {
+    return {-infinity, infinity};
+  }
+  return {quotient - error, quotient + error};
+}
+
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+  Grid grid;
+  grid.include(s);
+  grid.include(t);
+  grid.include(r);
+  return with_integers(4 * grid.bits() + 8, tally, [&]<class Integer>() {
+    const auto ds = vector_between<Integer>(grid, s.from, s.to);
+    const auto dt = vector_between<Integer>(grid, t.from, t.to);
+    const auto dr = vector_between<Integer>(grid, r.from, r.to);
+    const Integer nt = cross(vector_between<Integer>(grid, s.origin, t.origin), dt);
+    const Integer nr = cross(vector_between<Integer>(grid, s.origin, r.origin), dr);
+    const Integer det = cross(ds, dt);
+    const Integer der = cross(ds, dr);
+    return sign(Integer(nt * der - nr * det)) * sign(det) * sign(der);
+  });
+}
+
+}  // namespace gcv

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The sweep of Shamos and Hoey ("Geometric intersection problems", 1976) with exact
+// predicates. A line sweeps over the vertices in lexicographic order; the edges that it
+// meets are kept in order from bottom to top. Of the lexicographically smallest point in
+// which two edges meet, two edges become neighbours in this order before the line leaves
+// it, so it is enough to test each pair of edges that become neighbours.
+#include "simplicity.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <numeric>
+#include <set>
+#include <vector>
+
+#include "predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+using Edge = std::uint32_t;
+
+class Sweep {
+ public:
+  explicit Sweep(std::span<const Point> ring) : ring_(ring), active_(Below{this}) {}
+
+  std::optional<Conflict> run() {
+    std::vector<Edge> order(ring_.size());
+    std::iota(order.begin(), order.end(), Edge{0});
+    std::sort(order.begin(), order.end(), [this](Edge i, Edge j) {
+      return lexicographically_less(ring_[i], ring_[j]);
+    });
+    for (std::size_t k = 0; k + 1 < order.size(); ++k) {
+      if (ring_[order[k]] == ring_[order[k + 1]]) {
+        return Conflict{std::min(order[k], order[k + 1]), std::max(order[k], order[k + 1])};
+      }
+    }
+    places_.resize(ring_.size());
+    for (const Edge vertex : order) {
+      pass(vertex);
+      if (conflict_) {
+        return conflict_;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  struct Below {
+    Sweep* sweep;
+    bool operator()(Edge e, Edge f) const { return sweep->below(e, f); }
+  };
+  using Active = std::set<Edge, Below>;
+  using Place = Active::iterator;
+
+  [[nodiscard]] Edge next(Edge i) const { return i + 1 == ring_.size() ? 0 : i + 1; }
+  [[nodiscard]] Edge previous(Edge i) const {
+    return i == 0 ? static_cast<Edge>(ring_.size() - 1) : i - 1;
+  }
+  [[nodiscard]] bool goes_right(Edge e) const {
+    return lexicographically_less(ring_[e], ring_[next(e)]);
+  }
+  [[nodiscard]] const Point& left_end(Edge e) const { return ring_[goes_right(e) ? e : next(e)]; }
+  [[nodiscard]] const Point& right_end(Edge e) const { return ring_[goes_right(e) ? next(e) : e]; }
+
+  void report(Edge e, Edge f) {
+    if (!conflict_) {
+      conflict_ = Conflict{std::min(e, f), std::max(e, f)};
+    }
+  }
+
+  // The order of two edges that the sweep line meets, by the left end that comes later.
+  bool below(Edge e, Edge f) {
+    if (e == f) {
+      return false;
+    }
+    const Point& le = left_end(e);
+    const Point& lf = left_end(f);
+    if (le == lf) {
+      const int turn = orientation(le, right_end(e), right_end(f), tally_);
+      if (turn == 0) {
+        report(e, f);
+      }
+      return turn > 0;
+    }
+    const bool e_is_later = lexicographically_less(lf, le);
+    const int turn = e_is_later ? -orientation(lf, right_end(f), le, tally_)
+                                : orientation(le, right_end(e), lf, tally_);
+    if (turn == 0) {
+      report(e, f);
+    }
+    return turn > 0;
+  }
+
+  [[nodiscard]] bool meet(Edge e, Edge f) {
+    if (next(e) == f || next(f) == e) {
+      return false;
+    }
+    const Point& a = left_end(e);
+    const Point& b = right_end(e);
+    const Point& c = left_end(f);
+    const Point& d = right_end(f);
+    const int c_side = orientation(a, b, c, tally_);
+    const int d_side = orientation(a, b, d, tally_);
+    if (c_side == 0 && d_side == 0) {
+      return !lexicographically_less(b, c) && !lexicographically_less(d, a);
+    }
+    return c_side * d_side <= 0 &&
+           orientation(c, d, a, tally_) * orientation(c, d, b, tally_) <= 0;
+  }
+
+  void test_with_lower_neighbour(Place place) {
+    if (place != active_.begin() && place != active_.end() && meet(*std::prev(place), *place)) {
+      report(*std::prev(place), *place);
+    }
+  }
+
+  void enter(Edge edge, Place hint) {
+    const Place place = active_.insert(hint, edge);
+    places_[edge] = place;
+    test_with_lower_neighbour(place);
+    test_with_lower_neighbour(std::next(place));
+  }
+
+  Place leave(Edge edge) { return active_.erase(places_[edge]); }
+
+  void pass(Edge vertex) {
+    const Edge incoming = previous(vertex);
+    const Edge outgoing = vertex;
+    const bool incoming_starts = !goes_right(incoming);
+    const bool outgoing_starts = goes_right(outgoing);
+    if (incoming_starts && outgoing_starts) {
+      enter(incoming, active_.end());
+      if (!conflict_) {
+        enter(outgoing, std::next(places_[incoming]));
+      }
+    } else if (outgoing_starts) {
+      enter(outgoing, leave(incoming));
+    } else if (incoming_starts) {
+      enter(incoming, leave(outgoing));
+    } else {
+      leave(incoming);
+      test_with_lower_neighbour(leave(outgoing));
+    }
+  }
+
+  std::span<const Point> ring_;
+  Active active_;
+  std::vector<Place> places_;
+  std::optional<Conflict> conflict_;
+  Tally tally_;
+};
+
+}  // namespace
+
+std::optional<Conflict> find_conflict(std::span<const Point> ring) { return Sweep(ring).run(); }
+
+}  // namespace gcv

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Is a closed ring simple? Exactly, for all finite doubles.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "point.hpp"
+
+namespace gcv {
+
+// Two edges of a ring that meet where they should not; edge i joins vertices i and i+1.
+struct Conflict {
+  std::size_t first;
+  std::size_t second;
+};
+
+// Looks for two edges of the closed ring that cross, touch or overlap, other than two
+// neighbours in their common vertex. Consecutive vertices must be distinct, and no
+// vertex may be a spike (an edge turning back on the one before); collinear vertices
+// are allowed. O(n log n).
+std::optional<Conflict> find_conflict(std::span<const Point> ring);
+
+}  // namespace gcv
