@@ -6,229 +6,275 @@
 #include "svg.h"
 
 #include <float.h>
+#include <limits.h>
 #include <math.h>
 
-/* The page, in pixels. */
-static const double MARGIN = 32, GAP = 56, CAPTION = 48, LEGEND = 56;
-static const double MAX_PLOT_WIDTH = 880, MAX_PLOT_HEIGHT = 620;
-static const double MIN_LEFT = 150, MIN_RIGHT = 360;
+/* The page, in pixels: A and B stacked at the left, the sum at the right. */
+static const double MARGIN = 32, GAP = 56, CAPTION = 48, LEGEND = 72, LEGEND_LINE = 20;
+static const double MIN_LEFT = 120, MIN_RIGHT = 300;
+static const double MAX_PLOTS_WIDTH = 880, MAX_PLOTS_HEIGHT = 620;
 
+/* Edges of A are blue, edges of B orange, here and in the sum. */
 static const char STYLE[] =
     "<style>\n"
     "  text { font: 14px system-ui, -apple-system, 'Segoe UI', Helvetica, Arial, sans-serif;\n"
     "         fill: #5b6675 }\n"
     "  .title { font-size: 17px; font-weight: 600; fill: #1b2430 }\n"
-    "  path { stroke-width: 1.5; stroke-linejoin: round; stroke-linecap: round; fill: none }\n"
-    "  .a { fill: #e3eefc; stroke: #1c6dd0 }\n"
-    "  .b { fill: #fdebe0; stroke: #e0561f }\n"
-    "  .sum { fill: #f4f6f8 }\n"
-    "  .ghost { fill: #1c6dd0; fill-opacity: 0.13 }\n"
-    "  .edge { stroke-width: 2.2; stroke: #1b2430 }\n"
+    "  path { fill: none; stroke-linejoin: round; stroke-linecap: round }\n"
+    "  .a { fill: #e3eefc; stroke: #1c6dd0; stroke-width: 1.5 }\n"
+    "  .b { fill: #fdebe0; stroke: #e0561f; stroke-width: 1.5 }\n"
+    "  .sum { fill: #f2f4f7 }\n"
+    "  .faint-a { fill: #1c6dd0; fill-opacity: 0.14 }\n"
+    "  .faint-b { fill: #e0561f; fill-opacity: 0.24 }\n"
+    "  .edge { stroke: #1b2430; stroke-width: 2.2 }\n"
+    "  .fine .edge { stroke-width: 1.3 }\n"
     "  .kind1 { stroke: #1c6dd0 }\n"
     "  .kind2 { stroke: #e0561f }\n"
-    "  .kind3 { stroke: #0c9a6c }\n"
-    "  .point { fill: #1b2430 }\n"
+    "  .kind3 { stroke: #0b9a6d }\n"
+    "  .reference { fill: #1b2430 }\n"
     "</style>\n";
 
-/* A box in scaled coordinates; see common_exponent. */
+/* Above so many vertices the edges of the sum are drawn finer. */
+static const size_t FINE = 500;
+
+/* ---------------------------------------------------------------- geometry -- */
+
+/*
+ * Points and boxes are in scaled coordinates: those of the rings times 2^-exponent, where
+ * the exponent is that of the largest of all. So no difference of two of them overflows.
+ */
+typedef struct point {
+  double x, y;
+} point;
+
 typedef struct box {
   double x_min, y_min, x_max, y_max;
 } box;
 
-/* Where scaled coordinates go on the page: (x, y) to (left + s (x - x_min), top + s (y_max - y)). */
-typedef struct frame {
-  double x_min, y_max, left, top, scale;
-  int exponent;
-} frame;
-
 static double width(box b) { return b.x_max - b.x_min; }
 static double height(box b) { return b.y_max - b.y_min; }
 
-/*
- * All coordinates are multiplied by 2^-exponent before anything else. That is exact, and
- * brings them below 1, so that no difference of two of them overflows.
- */
-static int common_exponent(const picture *p) {
-  const ring *rings[] = {&p->a, &p->b, &p->sum};
-  int largest = INT32_MIN;
-  for (int r = 0; r < 3; ++r) {
-    for (size_t i = 0; i < 2 * rings[r]->count; ++i) {
-      int exponent = INT32_MIN;
-      if (rings[r]->xy[i] != 0) frexp(rings[r]->xy[i], &exponent);
-      if (exponent > largest) largest = exponent;
-    }
+static bool inside(box b, point p) {
+  return b.x_min <= p.x && p.x <= b.x_max && b.y_min <= p.y && p.y <= b.y_max;
+}
+
+static int largest_exponent(const ring *r) {
+  int largest = INT_MIN;
+  for (size_t i = 0; i < 2 * r->count; ++i) {
+    int exponent = INT_MIN;
+    if (r->xy[i] != 0) frexp(r->xy[i], &exponent);
+    if (exponent > largest) largest = exponent;
   }
   return largest;
 }
 
-static box bounds(const ring *r, int exponent) {
+static int common_exponent(const picture *p) {
+  int a = largest_exponent(&p->a), b = largest_exponent(&p->b), sum = largest_exponent(&p->sum);
+  return a > b ? (a > sum ? a : sum) : (b > sum ? b : sum);
+}
+
+static point scaled(const double xy[2], int exponent) {
+  return (point){ldexp(xy[0], -exponent), ldexp(xy[1], -exponent)};
+}
+
+/* The box of a ring that is moved by `shift`. */
+static box bounds(const ring *r, point shift, int exponent) {
   box b = {DBL_MAX, DBL_MAX, -DBL_MAX, -DBL_MAX};
   for (size_t i = 0; i < r->count; ++i) {
-    double x = ldexp(r->xy[2 * i], -exponent), y = ldexp(r->xy[2 * i + 1], -exponent);
-    b.x_min = fmin(b.x_min, x);
-    b.y_min = fmin(b.y_min, y);
-    b.x_max = fmax(b.x_max, x);
-    b.y_max = fmax(b.y_max, y);
+    point p = scaled(r->xy + 2 * i, exponent);
+    b.x_min = fmin(b.x_min, p.x + shift.x);
+    b.y_min = fmin(b.y_min, p.y + shift.y);
+    b.x_max = fmax(b.x_max, p.x + shift.x);
+    b.y_max = fmax(b.y_max, p.y + shift.y);
   }
   return b;
 }
 
-/* ---------------------------------------------------------------- drawing -- */
-
-static void put_point(FILE *file, const frame *f, char command, double x, double y) {
-  double page_x = f->left + f->scale * (ldexp(x, -f->exponent) - f->x_min);
-  double page_y = f->top + f->scale * (f->y_max - ldexp(y, -f->exponent));
-  fprintf(file, "%c%.2f %.2f", command, page_x, page_y);
+static box joined(box a, box b) {
+  return (box){fmin(a.x_min, b.x_min), fmin(a.y_min, b.y_min), fmax(a.x_max, b.x_max),
+               fmax(a.y_max, b.y_max)};
 }
 
-/* A ring, moved by (dx, dy). */
-static void put_ring(FILE *file, const frame *f, const char *class, const ring *r, double dx,
-                     double dy) {
+/* The vertex that is nearest to the middle of the ring's box. */
+static point middle_vertex(const ring *r, int exponent) {
+  box b = bounds(r, (point){0, 0}, exponent);
+  point best = {0, 0};
+  double best_distance = DBL_MAX;
+  for (size_t i = 0; i < r->count; ++i) {
+    point p = scaled(r->xy + 2 * i, exponent);
+    double distance = hypot(p.x - (b.x_min + b.x_max) / 2, p.y - (b.y_min + b.y_max) / 2);
+    if (distance >= best_distance) continue;
+    best = p;
+    best_distance = distance;
+  }
+  return best;
+}
+
+/* ------------------------------------------------------------------ layout -- */
+
+/* One plot: (x, y) goes to (left + scale (x - x_min), top + scale (y_max - y)). */
+typedef struct frame {
+  box box;
+  double left, top, scale;
+} frame;
+
+typedef struct layout {
+  int exponent;
+  /* A and B are drawn inside the sum too, moved by these. */
+  bool a_in_sum, b_in_sum;
+  point a_shift, b_shift;
+  frame a, b, sum;
+  double page_width, page_height;
+} layout;
+
+/*
+ * A + B contains A moved by any vertex of B; the one in the middle is taken. The no-fit
+ * polygon lies round A where A is, if the reference point is about where B is; then B is
+ * shown as well, in the contact in which the reference point is next to the middle.
+ */
+static void place_inside_sum(const picture *p, layout *l) {
+  if (!p->no_fit) {
+    l->a_in_sum = true;
+    l->a_shift = middle_vertex(&p->b, l->exponent);
+    return;
+  }
+  point reference = scaled(p->reference, l->exponent);
+  l->a_in_sum = l->b_in_sum = inside(l->b.box, reference);
+  point contact = middle_vertex(&p->sum, l->exponent);
+  l->b_shift = (point){contact.x - reference.x, contact.y - reference.y};
+}
+
+static layout lay_out(const picture *p) {
+  const point unmoved = {0, 0};
+  layout l = {.exponent = common_exponent(p)};
+  l.a.box = bounds(&p->a, unmoved, l.exponent);
+  l.b.box = bounds(&p->b, unmoved, l.exponent);
+  l.sum.box = bounds(&p->sum, unmoved, l.exponent);
+  place_inside_sum(p, &l);
+  if (l.b_in_sum) l.sum.box = joined(l.sum.box, bounds(&p->b, l.b_shift, l.exponent));
+
+  /* The largest scale at which all fits. */
+  double left_width = fmax(width(l.a.box), width(l.b.box));
+  double left_height = height(l.a.box) + height(l.b.box);
+  double scale = fmin(MAX_PLOTS_WIDTH / (left_width + width(l.sum.box)),
+                      MAX_PLOTS_HEIGHT / fmax(left_height, height(l.sum.box)));
+  l.a.scale = l.b.scale = l.sum.scale = scale;
+
+  l.a.left = l.b.left = MARGIN;
+  l.sum.left = MARGIN + fmax(MIN_LEFT, scale * left_width) + GAP;
+  l.page_width = l.sum.left + fmax(MIN_RIGHT, scale * width(l.sum.box)) + MARGIN;
+
+  /* The gap and the caption between A and B are as high as the legend: plots end together. */
+  l.a.top = MARGIN + CAPTION;
+  l.b.top = l.a.top + scale * height(l.a.box) + LEGEND;
+  l.sum.top = l.a.top + LEGEND;
+  l.page_height = fmax(l.b.top + scale * height(l.b.box), l.sum.top + scale * height(l.sum.box)) +
+                  MARGIN;
+  return l;
+}
+
+/* ----------------------------------------------------------------- drawing -- */
+
+static point on_page(const frame *f, point p) {
+  return (point){f->left + f->scale * (p.x - f->box.x_min),
+                 f->top + f->scale * (f->box.y_max - p.y)};
+}
+
+static void put_ring(FILE *file, const frame *f, int exponent, const char *class, const ring *r,
+                     point shift) {
   fprintf(file, "<path class=\"%s\" d=\"", class);
   for (size_t i = 0; i < r->count; ++i) {
-    put_point(file, f, i == 0 ? 'M' : 'L', r->xy[2 * i] + dx, r->xy[2 * i + 1] + dy);
+    point p = scaled(r->xy + 2 * i, exponent);
+    p = on_page(f, (point){p.x + shift.x, p.y + shift.y});
+    fprintf(file, "%c%.2f %.2f", i == 0 ? 'M' : 'L', p.x, p.y);
   }
   fputs("Z\"/>\n", file);
 }
 
 /* All edges of one kind as one path, in which edges that follow each other are joined. */
-static void put_edges(FILE *file, const frame *f, const picture *p, int kind) {
-  const double *xy = p->sum.xy;
+static void put_edges(FILE *file, const layout *l, const picture *p, int kind) {
   fprintf(file, "<path class=\"edge kind%d\" d=\"", kind);
   for (size_t i = 0; i < p->sum.count; ++i) {
     if (p->sources[i].kind != kind) continue;
-    size_t end = (i + 1) % p->sum.count;
-    if (i == 0 || p->sources[i - 1].kind != kind) {
-      put_point(file, f, 'M', xy[2 * i], xy[2 * i + 1]);
-    }
-    put_point(file, f, 'L', xy[2 * end], xy[2 * end + 1]);
+    point start = on_page(&l->sum, scaled(p->sum.xy + 2 * i, l->exponent));
+    size_t next = (i + 1) % p->sum.count;
+    point end = on_page(&l->sum, scaled(p->sum.xy + 2 * next, l->exponent));
+    if (i == 0 || p->sources[i - 1].kind != kind) fprintf(file, "M%.2f %.2f", start.x, start.y);
+    fprintf(file, "L%.2f %.2f", end.x, end.y);
   }
   fputs("\"/>\n", file);
 }
 
-static bool inside(box outer, double x, double y) {
-  return outer.x_min <= x && x <= outer.x_max && outer.y_min <= y && y <= outer.y_max;
+static void put_reference(FILE *file, const frame *f, point reference) {
+  point p = on_page(f, reference);
+  fprintf(file, "<circle class=\"reference\" r=\"3.2\" cx=\"%.2f\" cy=\"%.2f\"/>\n", p.x, p.y);
 }
 
-/* The vertex nearest to the middle of the ring's box. */
-static const double *middle_vertex(const ring *r, int exponent) {
-  box b = bounds(r, exponent);
-  const double *best = r->xy;
-  double best_distance = DBL_MAX;
-  for (const double *v = r->xy; v < r->xy + 2 * r->count; v += 2) {
-    double distance = hypot(ldexp(v[0], -exponent) - (b.x_min + b.x_max) / 2,
-                            ldexp(v[1], -exponent) - (b.y_min + b.y_max) / 2);
-    if (distance < best_distance) {
-      best = v;
-      best_distance = distance;
-    }
+static void put_a_and_b(FILE *file, const layout *l, const picture *p) {
+  put_ring(file, &l->a, l->exponent, "a", &p->a, (point){0, 0});
+  put_ring(file, &l->b, l->exponent, "b", &p->b, (point){0, 0});
+  if (l->b_in_sum) put_reference(file, &l->b, scaled(p->reference, l->exponent));
+}
+
+static void put_sum(FILE *file, const layout *l, const picture *p) {
+  const frame *f = &l->sum;
+  fprintf(file, "<g%s>\n", p->sum.count > FINE ? " class=\"fine\"" : "");
+  put_ring(file, f, l->exponent, p->sources ? "sum" : "sum edge", &p->sum, (point){0, 0});
+  if (l->a_in_sum) put_ring(file, f, l->exponent, "faint-a", &p->a, l->a_shift);
+  if (l->b_in_sum) put_ring(file, f, l->exponent, "faint-b", &p->b, l->b_shift);
+  if (p->sources) {
+    put_edges(file, l, p, GCV_EDGE_TRANSLATED);
+    put_edges(file, l, p, GCV_EDGE_CORNER);
+    put_edges(file, l, p, GCV_EDGE_TRANSLATED_CORNER);
   }
-  return best;
+  fputs("</g>\n", file);
+  if (l->b_in_sum) put_reference(file, f, middle_vertex(&p->sum, l->exponent));
 }
 
-/*
- * A inside the sum, faintly. A + B contains A moved by any point of B. The no-fit polygon
- * is where A is, and round A when the reference point is one of B.
- */
-static void put_ghost(FILE *file, const frame *f, const picture *p, box sum) {
-  if (!p->no_fit) {
-    const double *v = middle_vertex(&p->b, f->exponent);
-    put_ring(file, f, "ghost", &p->a, v[0], v[1]);
-    return;
-  }
-  box a = bounds(&p->a, f->exponent);
-  if (inside(sum, a.x_min, a.y_min) && inside(sum, a.x_max, a.y_max)) {
-    put_ring(file, f, "ghost", &p->a, 0, 0);
-  }
+/* -------------------------------------------------------------------- text -- */
+
+/* A title and the number of vertices above the plot that starts at (left, top). */
+static void put_caption(FILE *file, double left, double top, const char *title, size_t count) {
+  fprintf(file, "<text class=\"title\" x=\"%.2f\" y=\"%.2f\">%s</text>\n", left, top - 34, title);
+  fprintf(file, "<text x=\"%.2f\" y=\"%.2f\">%zu vertices</text>\n", left, top - 15, count);
 }
 
-static void put_caption(FILE *file, double x, double y, const char *title, size_t vertices) {
-  fprintf(file, "<text class=\"title\" x=\"%.1f\" y=\"%.1f\">%s</text>\n", x, y + 14, title);
-  fprintf(file, "<text x=\"%.1f\" y=\"%.1f\">%zu vertices</text>\n", x, y + 33, vertices);
+static void put_legend_line(FILE *file, const layout *l, int line, const char *kind,
+                            const char *what, size_t count) {
+  double x = l->sum.left, y = l->a.top + 7 + line * LEGEND_LINE;
+  fprintf(file, "<path class=\"edge %s\" d=\"M%.2f %.2fh22\"/>\n", kind, x + 1, y - 5);
+  fprintf(file, "<text x=\"%.2f\" y=\"%.2f\">%zu %s</text>\n", x + 32, y, count, what);
 }
 
-/* One entry of the legend; gives the x at which the next one starts. */
-static double put_key(FILE *file, double x, double y, const char *class, const char *what,
-                      size_t count) {
-  fprintf(file, "<path class=\"edge %s\" d=\"M%.1f %.1fh26\"/>\n", class, x, y - 5);
-  fprintf(file, "<text x=\"%.1f\" y=\"%.1f\">%s: %zu</text>\n", x + 34, y, what, count);
-  return x + 250;
-}
-
-static void put_legend(FILE *file, double x, double y, const picture *p) {
+static void put_legend(FILE *file, const layout *l, const picture *p) {
   if (!p->sources) {
-    put_key(file, x, y, "", "edges of the outer face", p->sum.count);
+    put_legend_line(file, l, 0, "", "edges", p->sum.count);
     return;
   }
-  size_t counts[4] = {0};
+  size_t counts[GCV_EDGE_TRANSLATED_CORNER + 1] = {0};
   for (size_t i = 0; i < p->sum.count; ++i) ++counts[p->sources[i].kind];
-  x = put_key(file, x, y, "kind1", "translated edges, of A", counts[GCV_EDGE_TRANSLATED]);
-  x = put_key(file, x, y, "kind2", "corner edges, of B", counts[GCV_EDGE_CORNER]);
-  put_key(file, x, y, "kind3", "translated-corner edges, of both",
-          counts[GCV_EDGE_TRANSLATED_CORNER]);
+  put_legend_line(file, l, 0, "kind1", "translated edges, from A", counts[GCV_EDGE_TRANSLATED]);
+  put_legend_line(file, l, 1, "kind2", "corner edges, from B", counts[GCV_EDGE_CORNER]);
+  put_legend_line(file, l, 2, "kind3", "translated-corner edges, from both",
+                  counts[GCV_EDGE_TRANSLATED_CORNER]);
 }
-
-static void put_sum(FILE *file, const frame *f, const picture *p, box sum) {
-  if (!p->sources) {
-    put_ring(file, f, "sum edge", &p->sum, 0, 0);
-    put_ghost(file, f, p, sum);
-    return;
-  }
-  put_ring(file, f, "sum", &p->sum, 0, 0);
-  put_ghost(file, f, p, sum);
-  for (int kind = GCV_EDGE_TRANSLATED; kind <= GCV_EDGE_TRANSLATED_CORNER; ++kind) {
-    put_edges(file, f, p, kind);
-  }
-}
-
-/* B, and the reference point where it is on or in B's box. */
-static void put_b(FILE *file, const frame *f, const picture *p, box b) {
-  put_ring(file, f, "b", &p->b, 0, 0);
-  double x = ldexp(p->reference[0], -f->exponent), y = ldexp(p->reference[1], -f->exponent);
-  if (p->no_fit && inside(b, x, y)) {
-    fprintf(file, "<circle class=\"point\" r=\"3\" cx=\"%.2f\" cy=\"%.2f\"/>\n",
-            f->left + f->scale * (x - f->x_min), f->top + f->scale * (f->y_max - y));
-  }
-}
-
-/* ----------------------------------------------------------------- layout -- */
 
 void write_svg(FILE *file, const picture *p) {
-  int exponent = common_exponent(p);
-  box a = bounds(&p->a, exponent), b = bounds(&p->b, exponent), sum = bounds(&p->sum, exponent);
-
-  /* A above B, and the sum beside them: the largest scale at which that fits. */
-  double scale = fmin(MAX_PLOT_WIDTH / (fmax(width(a), width(b)) + width(sum)),
-                      MAX_PLOT_HEIGHT / fmax(height(a) + height(b), height(sum)));
-  double left_width = fmax(MIN_LEFT, scale * fmax(width(a), width(b)));
-  double right_width = fmax(MIN_RIGHT, scale * width(sum));
-  double plots_height = fmax(scale * (height(a) + height(b)) + GAP / 2 + CAPTION,
-                             scale * height(sum));
-  double page_width = MARGIN + left_width + GAP + right_width + MARGIN;
-  double page_height = MARGIN + CAPTION + plots_height + LEGEND + MARGIN / 2;
-
-  double right = MARGIN + left_width + GAP, top = MARGIN + CAPTION;
-  double b_top = top + scale * height(a) + GAP / 2 + CAPTION;
-  double sum_top = top + (plots_height - scale * height(sum)) / 2;
-  frame a_frame = {a.x_min, a.y_max, MARGIN, top, scale, exponent};
-  frame b_frame = {b.x_min, b.y_max, MARGIN, b_top, scale, exponent};
-  frame sum_frame = {sum.x_min, sum.y_max, right, sum_top, scale, exponent};
-
+  layout l = lay_out(p);
   fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %.0f %.0f\""
                 " width=\"%.0f\" height=\"%.0f\">\n",
-          page_width, page_height, page_width, page_height);
+          l.page_width, l.page_height, l.page_width, l.page_height);
   fprintf(file, "<title>%s</title>\n", p->no_fit ? "The no-fit polygon of A and B"
                                                  : "The outer face of the Minkowski sum A + B");
   fputs(STYLE, file);
   fputs("<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#ffffff\"/>\n", file);
 
-  put_caption(file, MARGIN, MARGIN, p->no_fit ? "A, fixed" : "A", p->a.count);
-  put_ring(file, &a_frame, "a", &p->a, 0, 0);
-  put_caption(file, MARGIN, b_top - CAPTION, p->no_fit ? "B, moving" : "B", p->b.count);
-  put_b(file, &b_frame, p, b);
-  put_caption(file, right, MARGIN, p->no_fit ? "No-fit polygon" : "Outer face of A + B",
-              p->sum.count);
-  put_sum(file, &sum_frame, p, sum);
-  put_legend(file, MARGIN, page_height - MARGIN, p);
+  put_caption(file, MARGIN, l.a.top, p->no_fit ? "A, fixed" : "A", p->a.count);
+  put_caption(file, MARGIN, l.b.top, p->no_fit ? "B, moving" : "B", p->b.count);
+  put_caption(file, l.sum.left, l.a.top,
+              p->no_fit ? "No-fit polygon of A and B" : "Outer face of A + B", p->sum.count);
+  put_a_and_b(file, &l, p);
+  put_sum(file, &l, p);
+  put_legend(file, &l, p);
   fputs("</svg>\n", file);
 }

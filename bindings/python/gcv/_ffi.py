@@ -16,7 +16,7 @@ from ctypes import (
     c_uint32,
     c_void_p,
 )
-from typing import Any, Callable, ClassVar
+from typing import Any, Callable, ClassVar, NoReturn
 
 from ._loader import load
 
@@ -86,6 +86,9 @@ class _Handle(c_void_p):
 
     def __del__(self) -> None:
         self._destroy(self)
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("objects of libgcv cannot be pickled, nor copied in depth")
 
 
 def _destroyer(name: str) -> Any:

@@ -97,8 +97,9 @@ class PolygonTest(unittest.TestCase):
     def test_copy(self) -> None:
         duplicate = copy.copy(gcv.Polygon(SQUARE))
         self.assertEqual(duplicate.vertices, SQUARE)
-        with self.assertRaises(ValueError):
-            pickle.dumps(duplicate)
+        for attempt in (pickle.dumps, copy.deepcopy):
+            with self.subTest(attempt), self.assertRaises(TypeError):
+                attempt(duplicate)
 
 
 class ErrorTest(unittest.TestCase):

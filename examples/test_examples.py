@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Tests of the examples. GCV_EXAMPLES is the folder of the built programs."""
+
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from fractions import Fraction
+from pathlib import Path
+
+PROGRAMS = Path(os.environ["GCV_EXAMPLES"])
+POLYGONS = Path(__file__).parent / "polygons"
+SVG = "{http://www.w3.org/2000/svg}"
+
+# Every shipped polygon is in one of the pairs that belong together.
+PAIRS = [
+    ("comb", "hairpin"),
+    ("fork_large", "fork_small"),
+    ("lock", "key", "--no-fit", "0,0"),
+    ("room", "robot", "--no-fit", "0,0"),
+    ("coast", "islet"),
+    ("shirt_front", "sleeve", "--no-fit", "195,400"),
+]
+
+
+def run(program, *arguments, **options):
+    return subprocess.run([PROGRAMS / program, *map(str, arguments)], text=True,
+                          capture_output=True, timeout=300, **options)
+
+
+def polygon(name):
+    return POLYGONS / f"{name}.wkt"
+
+
+def vertices(wkt):
+    """The ring of a WKT polygon without holes, its last vertex left out."""
+    match = re.fullmatch(r"POLYGON \(\((.*)\)\)\s*", wkt, re.DOTALL)
+    points = [tuple(map(float, pair.split())) for pair in match[1].split(",")]
+    assert points[0] == points[-1]
+    return points[:-1]
+
+
+class TestInFolder(unittest.TestCase):
+    """A test with a folder for its files, and a square and a triangle in it."""
+
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = Path(holder.name)
+        self.square = self.write("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))")
+        self.triangle = self.write("triangle.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))")
+
+    def write(self, name, text):
+        path = self.folder / name
+        path.write_text(text, encoding="utf-8")
+        return path
+
+
+class Programs(unittest.TestCase):
+    """The short examples check themselves."""
+
+    def test_caller_buffer(self):
+        done = run("caller_buffer")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("square + triangle: 7 vertices", done.stdout)
+        self.assertEqual(done.stdout.count("do not fit"), 1)
+
+    def test_error_handling(self):
+        done = run("error_handling")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        self.assertNotIn("GCV_OK", done.stdout)
+        for line in done.stdout.splitlines():
+            if "GCV_ERR" in line:
+                self.assertRegex(line, r"GCV_ERR_\w+: .{10,}")
+
+    def test_no_fit_polygon(self):
+        done = run("no_fit_polygon")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        self.assertIn("on the sheet: 5 2\n", done.stdout)
+
+
+class Pairs(TestInFolder):
+    """outer_face on the shipped polygons."""
+
+    def test_every_polygon_is_in_a_pair(self):
+        self.assertEqual(sorted(name for pair in PAIRS for name in pair[:2]),
+                         sorted(path.stem for path in POLYGONS.glob("*.wkt")))
+
+    def check_picture(self, path, edges):
+        """Well-formed, and drawing as many edges of the sum as there are."""
+        root = ElementTree.parse(path).getroot()
+        self.assertEqual(root.tag, f"{SVG}svg")
+        box = [float(number) for number in root.get("viewBox").split()]
+        drawn = 0
+        for path in root.iter(f"{SVG}path"):
+            numbers = [float(n) for n in re.findall(r"-?\d+\.\d+", path.get("d"))]
+            self.assertTrue(all(0 <= x <= box[2] for x in numbers[0::2]))
+            self.assertTrue(all(0 <= y <= box[3] for y in numbers[1::2]))
+            drawn += path.get("d").count("L") if "edge kind" in path.get("class") else 0
+        self.assertEqual(drawn, edges)
+
+    def test_pairs(self):
+        for a, b, *options in PAIRS:
+            with self.subTest(a=a, b=b):
+                picture = self.folder / f"{a}.svg"
+                done = run("outer_face", polygon(a), polygon(b), *options, "--svg", picture)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                ring = vertices(done.stdout)
+                self.assertGreater(len(ring), 3)
+                self.check_picture(picture, len(ring))
+
+    def test_key_goes_into_the_lock(self):
+        """The pocket behind the slot is kept, and the slit that leads into it."""
+        done = run("outer_face", polygon("lock"), polygon("key"), "--no-fit", "0,0")
+        ring = vertices(done.stdout)
+        self.assertIn((74.0, -3.0), ring)
+        self.assertEqual(min(y for x, y in ring if 60 < x < 72 and abs(y) < 10), -5.0)
+
+    def test_pictures_of_any_size_and_place(self):
+        for number in ("1e-320", "1e-30", "1e30", "4e307"):
+            with self.subTest(number=number):
+                a = self.write("a.wkt", f"POLYGON ((0 0, {number} 0, 0 {number}))")
+                b = self.write("b.wkt", f"POLYGON ((0 0, -{number} 0, 0 -{number}))")
+                picture = self.folder / "any.svg"
+                done = run("outer_face", a, b, "--svg", picture)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.check_picture(picture, 6)
+
+
+class Results(TestInFolder):
+    """What outer_face writes, and where to."""
+
+    RING = [(0, 0), (3, 0), (3, 2), (2, 3), (0, 3)]
+
+    def test_wkt(self):
+        done = run("outer_face", self.square, self.triangle)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(vertices(done.stdout), self.RING)
+
+    def test_wkt_file(self):
+        path = self.folder / "sum.wkt"
+        done = run("outer_face", self.square, self.triangle, "--wkt", path)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual(vertices(path.read_text()), self.RING)
+
+    def test_no_fit(self):
+        done = run("outer_face", self.square, self.triangle, "--no-fit", "0,-1e0")
+        self.assertEqual(vertices(done.stdout), [(-1, 0), (0, -2), (2, -2), (2, 1), (-1, 1)][:0]
+                         or [(-1, -1), (0, -2), (2, -2), (2, 1), (-1, 1)])
+
+    def test_exact(self):
+        done = run("outer_face", self.square, self.triangle, "--exact")
+        wkt, *lines = done.stdout.splitlines()
+        self.assertEqual([tuple(map(Fraction, line.split())) for line in lines], vertices(wkt))
+        self.assertEqual(lines[1], "3/1 0/1")
+
+    def test_stats(self):
+        done = run("outer_face", self.square, self.triangle, "--stats")
+        self.assertEqual(done.returncode, 0)
+        self.assertEqual(vertices(done.stdout), self.RING)
+        self.assertIn("outer face  5 vertices, area 8.5, error bound 0\n", done.stderr)
+        self.assertRegex(done.stderr, r"time +\d+\.\d{3} ms\n")
+        self.assertRegex(done.stderr, r"walk +[1-9]\d* steps, [1-9]\d* candidate edges\n")
+
+    def test_help(self):
+        done = run("outer_face", "--help")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        for option in ("--no-fit", "--wkt", "--svg", "--exact", "--stats", "--help"):
+            self.assertIn(option, done.stdout)
+
+
+class Failures(TestInFolder):
+    """Exit code 1 and one line for what failed; 2 for wrong usage."""
+
+    def assert_failure(self, done, *parts):
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        for part in parts:
+            self.assertIn(str(part), done.stderr)
+
+    def test_usage(self):
+        a, b = self.square, self.triangle
+        for arguments in ([], [a], [a, b, a], [a, b, "--unknown"], [a, b, "--svg"], [a, b, "--wkt"],
+                          [a, b, "--no-fit"], [a, b, "--no-fit", "1"], [a, b, "--no-fit", "1,"],
+                          [a, b, "--no-fit", "1,2,3"], [a, b, "--no-fit", "x,y"]):
+            with self.subTest(arguments=arguments):
+                done = run("outer_face", *arguments)
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn("usage: outer_face", done.stderr)
+
+    def test_files_that_cannot_be_read(self):
+        for path in (self.folder / "missing.wkt", self.folder):
+            self.assert_failure(run("outer_face", self.square, path), path)
+
+    def test_polygons_that_are_none(self):
+        for text, status in (("nonsense", "GCV_ERR_PARSE"), ("", "GCV_ERR_PARSE"),
+                             ("\0\1\2\377", "GCV_ERR_PARSE"),
+                             ("POLYGON ((0 0, 2 2, 2 0, 0 2))", "GCV_ERR_NOT_SIMPLE"),
+                             ("POLYGON ((0 0, 1 1, 2 2))", "GCV_ERR_DEGENERATE")):
+            with self.subTest(text=text):
+                bad = self.write("bad.wkt", text)
+                self.assert_failure(run("outer_face", self.square, bad), bad, f"{status}: ")
+                self.assert_failure(run("outer_face", bad, self.square), bad, f"{status}: ")
+
+    def test_sums_that_fail(self):
+        huge = self.write("huge.wkt", "POLYGON ((1e308 0, 1.7e308 0, 1e308 1e308))")
+        self.assert_failure(run("outer_face", huge, huge), huge, "GCV_ERR_RANGE: ")
+        self.assert_failure(run("outer_face", huge, self.square, "--no-fit", "nan,0"),
+                            huge, self.square, "GCV_ERR_NOT_FINITE: ")
+
+    def test_files_that_cannot_be_written(self):
+        nowhere = self.folder / "no" / "file"
+        for option in ("--wkt", "--svg"):
+            done = run("outer_face", self.square, self.triangle, option, nowhere)
+            self.assert_failure(done, nowhere)
+
+    @unittest.skipUnless(Path("/dev/full").exists(), "no /dev/full here")
+    def test_full_disk(self):
+        pair = polygon("coast"), polygon("islet")
+        for option in ("--wkt", "--svg"):
+            self.assert_failure(run("outer_face", *pair, option, "/dev/full"), "/dev/full")
+        with open("/dev/full", "w", encoding="ascii") as full:
+            done = subprocess.run([PROGRAMS / "outer_face", *pair], stdout=full, text=True,
+                                  stderr=subprocess.PIPE, check=False, timeout=300)
+        self.assert_failure(done, "standard output")
+
+
+class Polygons(TestInFolder):
+    def test_generator_writes_the_shipped_files(self):
+        folder = self.folder / "generated"
+        folder.mkdir()
+        subprocess.run([sys.executable, "-B", POLYGONS / "generate.py", folder], check=True)
+        shipped = {path.name: path.read_bytes() for path in POLYGONS.glob("*.wkt")}
+        self.assertEqual({path.name: path.read_bytes() for path in folder.iterdir()}, shipped)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "polygon.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "area.hpp"
+#include "error.hpp"
+#include "generators.hpp"
+#include "numbers.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::Rational;
+using test::rational;
+using test::Ring;
+
+Status status_of(const Ring& ring) {
+  try {
+    make_polygon(ring, "polygon");
+    return Status::ok;
+  } catch (const Error& error) {
+    return error.status();
+  }
+}
+
+std::string message_of(const Ring& ring) {
+  try {
+    make_polygon(ring, "polygon");
+    return "";
+  } catch (const Error& error) {
+    return error.what();
+  }
+}
+
+const Ring square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
+
+TEST(Polygon, IsNormalised) {
+  // Clockwise, closed, with repeated and collinear vertices, from elsewhere.
+  const Ring ring{{2, 2}, {2, 2}, {2, 1}, {2, 0}, {1, 0}, {0, 0}, {0, 0}, {0, 2}, {2, 2}};
+  const Polygon polygon = make_polygon(ring, "polygon");
+  EXPECT_EQ(polygon.vertices, square);
+  EXPECT_EQ(polygon.vertex_number, (std::vector<Index>{6, 3, 1, 7}));
+  // Counter-clockwise, the edge behind (0, 0) is the caller's from (1, 0) to (0, 0).
+  EXPECT_EQ(polygon.edge_number, (std::vector<Index>{4, 2, 7, 6}));
+}
+
+TEST(Polygon, KeepsNumbersOfCounterClockwiseInput) {
+  const Ring ring{{2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 0}, {1, 0}};
+  const Polygon polygon = make_polygon(ring, "polygon");
+  EXPECT_EQ(polygon.vertices, square);
+  EXPECT_EQ(polygon.vertex_number, (std::vector<Index>{4, 0, 2, 3}));
+  EXPECT_EQ(polygon.edge_number, (std::vector<Index>{4, 0, 2, 3}));
+}
+
+TEST(Polygon, NegativeZeroBecomesZero) {
+  const Polygon polygon = make_polygon(Ring{{-0.0, 0}, {1, -0.0}, {0, 1}}, "polygon");
+  for (const Point& p : polygon.vertices) {
+    EXPECT_FALSE(std::signbit(p.x));
+    EXPECT_FALSE(std::signbit(p.y));
+  }
+}
+
+TEST(Polygon, OrientationFarFromTheOrigin) {
+  // A shoelace sum in doubles has the wrong sign here.
+  const double far = 1e15;
+  Ring ring{{far, far},         {far + 1, far}, {far + 1, far + 1}, {far + 0.5, far + 0.25},
+            {far, far + 1}};
+  const Polygon forward = make_polygon(ring, "polygon");
+  std::reverse(ring.begin(), ring.end());
+  const Polygon backward = make_polygon(ring, "polygon");
+  EXPECT_EQ(forward.vertices, backward.vertices);
+  EXPECT_EQ(forward.convex, backward.convex);
+  EXPECT_EQ(ring_area(forward.vertices), 0.625);
+}
+
+TEST(Polygon, Refusals) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double inf = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(status_of({}), Status::degenerate);
+  EXPECT_EQ(status_of({{1, 1}}), Status::degenerate);
+  EXPECT_EQ(status_of({{1, 1}, {2, 2}}), Status::degenerate);
+  EXPECT_EQ(status_of({{1, 1}, {1, 1}, {1, 1}, {1, 1}}), Status::degenerate);
+  EXPECT_EQ(status_of({{1, 1}, {2, 2}, {3, 3}, {0, 0}}), Status::degenerate);
+  EXPECT_EQ(status_of({{0, 0}, {1, nan}, {1, 1}}), Status::not_finite);
+  EXPECT_EQ(status_of({{0, 0}, {1, 0}, {-inf, 1}}), Status::not_finite);
+  EXPECT_EQ(status_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), Status::not_simple);           // bow-tie
+  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), Status::not_simple);   // touch
+  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}), Status::not_simple);   // spike
+  EXPECT_EQ(status_of({{0, 0}, {2, 0}, {2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}),
+            Status::not_simple);
+  EXPECT_NE(message_of({{0, 0}, {1, nan}, {1, 1}}).find("the y coordinate of vertex 1 is nan"),
+            std::string::npos);
+  EXPECT_NE(message_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).find("edges 0 and 2 meet"),
+            std::string::npos);
+}
+
+TEST(Polygon, DirectionsAreSortedExactly) {
+  Random random(5);
+  for (int k = 0; k < 500; ++k) {
+    const Polygon polygon =
+        make_polygon(k % 2 == 0 ? test::random_small_integer_polygon(random, 8, 6)
+                                : test::random_spiky_star(random, 20),
+                     "polygon");
+    const auto direction = [&](Index i) {
+      const Point& p = polygon.vertices[i];
+      const Point& q = polygon.vertices[polygon.next(i)];
+      const bool up = polygon.upper[i] != 0;
+      return up ? std::pair(rational(q.x) - rational(p.x), rational(q.y) - rational(p.y))
+                : std::pair(rational(p.x) - rational(q.x), rational(p.y) - rational(q.y));
+    };
+    for (Index i = 0; i < polygon.size(); ++i) {
+      const auto d = direction(i);
+      ASSERT_TRUE(d.second > 0 || (d.second == 0 && d.first > 0));
+      for (Index j = 0; j < polygon.size(); ++j) {
+        const auto e = direction(j);
+        const int turn = Rational(d.first * e.second - d.second * e.first).sign();
+        const int order = polygon.line_of_edge[i] < polygon.line_of_edge[j]   ? 1
+                          : polygon.line_of_edge[i] > polygon.line_of_edge[j] ? -1
+                                                                              : 0;
+        ASSERT_EQ(turn, order);
+      }
+    }
+  }
+}
+
+TEST(Polygon, ReflectionIsThePolygonOfTheReflectedRing) {
+  Random random(6);
+  for (int k = 0; k < 200; ++k) {
+    const Ring ring = test::random_small_integer_polygon(random, 9, 8);
+    const Polygon reflection = reflected(make_polygon(ring, "polygon"));
+    const Polygon expected = make_polygon(test::negated(ring), "polygon");
+    const auto shift = reflection.lexicographic_min;
+    ASSERT_EQ(reflection.size(), expected.size());
+    for (Index i = 0; i < expected.size(); ++i) {
+      const Index j = (i + shift) % expected.size();
+      ASSERT_EQ(reflection.vertices[j], expected.vertices[i]);
+      ASSERT_EQ(reflection.vertex_number[j], expected.vertex_number[i]);
+      ASSERT_EQ(reflection.edge_number[j], expected.edge_number[i]);
+      ASSERT_EQ(reflection.convex[j], expected.convex[i]);
+      ASSERT_EQ(reflection.upper[j], expected.upper[i]);
+      ASSERT_EQ(reflection.line_of_edge[j], expected.line_of_edge[i]);
+    }
+  }
+}
+
+TEST(Area, IsCorrectlyRounded) {
+  Random random(8);
+  for (int k = 0; k < 2000; ++k) {
+    const int scale = k % 3 == 0 ? 0 : test::uniform(random, -500, 400);
+    Ring ring = test::random_spiky_star(random, 3 + k % 12);
+    for (Point& p : ring) {
+      p = {std::ldexp(p.x, scale) + (k % 5 == 0 ? std::ldexp(1.0, scale + 40) : 0),
+           std::ldexp(p.y, scale)};
+    }
+    Rational twice = 0;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point& p = ring[i];
+      const Point& q = ring[(i + 1) % ring.size()];
+      twice += rational(p.x) * rational(q.y) - rational(q.x) * rational(p.y);
+    }
+    const Rational exact = twice / 2;
+    const double area = ring_area(ring);
+    const auto error = [&](double value) { return Rational(abs(rational(value) - exact)); };
+    ASSERT_LE(error(area), error(std::nextafter(area, HUGE_VAL)));
+    ASSERT_LE(error(area), error(std::nextafter(area, -HUGE_VAL)));
+  }
+}
+
+}  // namespace
+}  // namespace gcv

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Every predicate against rationals, on operands that are tied, tiny, huge and mixed; and
+// every tier of integers against the next.
+#include "predicates.hpp"
+
+#include <gtest/gtest.h>
+
+#include "exact_numbers.hpp"
+#include "numbers.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Attack;
+using test::Random;
+using test::Rational;
+using test::rational;
+
+constexpr int attacks = 40000;
+
+struct RationalVector {
+  Rational x;
+  Rational y;
+};
+
+RationalVector between(const Point& p, const Point& q) {
+  return {rational(q.x) - rational(p.x), rational(q.y) - rational(p.y)};
+}
+RationalVector between(const SumPoint& p, const SumPoint& q) {
+  const auto a = between(p.a, q.a);
+  const auto b = between(p.b, q.b);
+  return {a.x + b.x, a.y + b.y};
+}
+Rational cross(const RationalVector& v, const RationalVector& w) { return v.x * w.y - v.y * w.x; }
+
+class Predicates : public ::testing::Test {
+ protected:
+  Random random_{20261121};
+  Tally tally_;
+};
+
+TEST_F(Predicates, OrientationIsExact) {
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const Point p = attack.point();
+    const Point q = attack.point();
+    const Point r = attack.point();
+    ASSERT_EQ(orientation(p, q, r, tally_), cross(between(p, q), between(p, r)).sign());
+    ASSERT_EQ(orientation(p, q, r, tally_), orientation(q, r, p, tally_));
+    ASSERT_EQ(orientation(p, q, r, tally_), -orientation(q, p, r, tally_));
+  }
+}
+
+TEST_F(Predicates, TurnIsExact) {
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const Point p0 = attack.point();
+    const Point p1 = attack.point();
+    const Point q0 = attack.point();
+    const Point q1 = attack.point();
+    ASSERT_EQ(turn(p0, p1, q0, q1, tally_), cross(between(p0, p1), between(q0, q1)).sign());
+  }
+}
+
+TEST_F(Predicates, SideIsExact) {
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const SumEdge s = attack.edge();
+    const SumPoint p = attack.sum_point();
+    ASSERT_EQ(side(s, p, tally_), cross(between(s.from, s.to), between(s.origin, p)).sign());
+  }
+}
+
+TEST_F(Predicates, CompareSumsIsExact) {
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const double a = attack.number();
+    const double b = attack.number();
+    const double c = attack.number();
+    const double d = attack.number();
+    const Rational difference = rational(a) + rational(b) - rational(c) - rational(d);
+    ASSERT_EQ(compare_sums(a, b, c, d, tally_), difference.sign());
+  }
+}
+
+TEST_F(Predicates, CrossingsAreExactAndEnclosed) {
+  int compared = 0;
+  int narrow = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const SumEdge s = attack.edge();
+    const SumEdge t = attack.edge();
+    const SumEdge r = attack.edge();
+    const auto ds = between(s.from, s.to);
+    const auto dt = between(t.from, t.to);
+    const auto dr = between(r.from, r.to);
+    const Rational det = cross(ds, dt);
+    const Rational der = cross(ds, dr);
+    if (det == 0 || der == 0) {
+      continue;
+    }
+    const Rational lt = cross(between(s.origin, t.origin), dt) / det;
+    const Rational lr = cross(between(s.origin, r.origin), dr) / der;
+    ASSERT_EQ(compare_crossings(s, t, r, tally_), Rational(lt - lr).sign());
+    const Interval interval = crossing_parameter(s, t);
+    if (std::isfinite(interval.lo)) {
+      ++narrow;
+      ASSERT_LE(rational(interval.lo), lt);
+      ASSERT_GE(rational(interval.hi), lt);
+    }
+    ++compared;
+  }
+  EXPECT_GT(compared, attacks / 4);
+  EXPECT_GT(narrow, attacks / 10);
+}
+
+TEST_F(Predicates, AllTiersAreUsed) {
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const SumEdge s = attack.edge();
+    side(s, attack.sum_point(), tally_);
+  }
+  EXPECT_GT(tally_.filtered, 0U);
+  EXPECT_GT(tally_.fixed_width, 0U);
+  EXPECT_GT(tally_.rational, 0U);
+}
+
+// The widths that the predicates ask for are enough: operands that fill b bits to the
+// last give the same sign with the narrowest integers allowed as with unlimited ones.
+template <class Integer>
+void expect_width_is_enough(int magnitude_bits, Random& random) {
+  const int side_bits = (magnitude_bits - 4) / 2;
+  const auto extreme = [&](int bits) {
+    const double top = std::ldexp(1.0, bits);
+    const double low = test::uniform(random, 0, 2);
+    const double value = bits <= 53 ? top - 1 - low : std::nextafter(top, 0.0);
+    return test::uniform(random, 0, 1) == 0 ? value : -value;
+  };
+  for (int k = 0; k < 20000; ++k) {
+    const auto point = [&] {
+      // One coordinate on the unit grid keeps the grid's exponent at 0.
+      return Point{extreme(side_bits), test::uniform(random, 0, 1) == 0 ? extreme(side_bits) : 1.0};
+    };
+    const SumEdge s{{point(), point()}, point(), point(), 0, 0};
+    const SumPoint p{point(), point()};
+    Grid grid{p.a, p.b};
+    grid.include(s);
+    ASSERT_LE(2 * grid.bits() + 4, magnitude_bits);
+    const auto value = [&]<class I>() {
+      return sign(gcv::cross(vector_between<I>(grid, s.from, s.to),
+                             vector_between<I>(grid, s.origin, p)));
+    };
+    ASSERT_EQ(value.template operator()<Integer>(), value.template operator()<BigInteger>());
+  }
+}
+
+TEST_F(Predicates, Int128IsWideEnough) { expect_width_is_enough<Int128>(127, random_); }
+TEST_F(Predicates, Int256IsWideEnough) { expect_width_is_enough<Int256>(256, random_); }
+TEST_F(Predicates, Int512IsWideEnough) { expect_width_is_enough<Int512>(512, random_); }
+
+TEST_F(Predicates, CrossingsAgreeBetweenTiers) {
+  for (int k = 0; k < attacks; ++k) {
+    const auto coordinate = [&] {
+      return static_cast<double>(test::uniform(random_, -(1 << 28), 1 << 28));
+    };
+    const auto point = [&] { return Point{coordinate(), coordinate()}; };
+    const auto edge = [&] { return SumEdge{{point(), point()}, point(), point(), 0, 0}; };
+    const SumEdge s = edge();
+    const SumEdge t = edge();
+    Grid grid{Point{1, 1}};
+    grid.include(s);
+    grid.include(t);
+    ASSERT_LE(crossing_bits(grid.bits()), 127);
+    const auto p = crossing<Int128>(grid, s, t, {0, 0});
+    const auto q = crossing<Int256>(grid, s, t, {0, 0});
+    const auto r = crossing<BigInteger>(grid, s, t, {0, 0});
+    ASSERT_EQ(q.x.str(), r.x.str());
+    ASSERT_EQ(q.y.str(), r.y.str());
+    ASSERT_EQ(q.w.str(), r.w.str());
+    ASSERT_EQ(static_cast<double>(p.x), static_cast<double>(q.x));
+    ASSERT_EQ(static_cast<double>(p.w), static_cast<double>(q.w));
+  }
+}
+
+TEST(Decomposition, IsExact) {
+  Random random(7);
+  for (int k = 0; k < attacks; ++k) {
+    const double x = test::attacking_double(random);
+    const Decomposed d = decompose(x);
+    ASSERT_EQ(std::ldexp(static_cast<double>(d.mantissa), d.exponent), x);
+    ASSERT_TRUE(d.mantissa % 2 != 0 || d.mantissa == 0);
+  }
+}
+
+}  // namespace
+}  // namespace gcv

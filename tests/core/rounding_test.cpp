@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "rounding.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "error.hpp"
+#include "generators.hpp"
+#include "minkowski_sum.hpp"
+#include "numbers.hpp"
+#include "simplicity.hpp"
+#include "to_double.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::Rational;
+using test::rational;
+using test::Ring;
+
+Rational power_of_two(int exponent) {
+  const BigInteger power = BigInteger(1) << std::abs(exponent);
+  return exponent < 0 ? Rational(1) / Rational(power) : Rational(power);
+}
+
+// Is `value` the double nearest to x, ties to even?
+void expect_nearest(double value, const Rational& x) {
+  const auto error = [&](double y) { return Rational(abs(rational(y) - x)); };
+  for (const double neighbour :
+       {std::nextafter(value, HUGE_VAL), std::nextafter(value, -HUGE_VAL)}) {
+    if (std::isfinite(neighbour)) {
+      ASSERT_LE(error(value), error(neighbour));
+      if (error(value) == error(neighbour)) {
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(value) % 2, 0U);
+      }
+    }
+  }
+}
+
+TEST(NearestDouble, IsNearest) {
+  Random random(31);
+  for (int k = 0; k < 60000; ++k) {
+    // Quotients near ties, of all sizes, and random ones.
+    std::int64_t n = static_cast<std::int64_t>(random() >> test::uniform(random, 1, 60));
+    std::int64_t w = 1 + static_cast<std::int64_t>(random() >> test::uniform(random, 2, 63));
+    if (k % 3 == 0) {
+      w = 1;
+      n = (std::int64_t{1} << 54) + 2 + test::uniform(random, -3, 3);
+    }
+    if (k % 2 == 0) {
+      n = -n;
+    }
+    const int exponent = k % 4 == 0 ? test::uniform(random, -1140, -1000)
+                                    : test::uniform(random, -200, 200);
+    const Rational exact = Rational(n) / Rational(w) * power_of_two(exponent);
+    const RoundedNumber by_128 = nearest_double(Int128{n}, Int128{w}, exponent);
+    const RoundedNumber by_256 = nearest_double(Int256{n}, Int256{w}, exponent);
+    const RoundedNumber by_big = nearest_double(BigInteger{n}, BigInteger{w}, exponent);
+    ASSERT_NO_FATAL_FAILURE(expect_nearest(by_128.value, exact));
+    ASSERT_EQ(by_128.exact, rational(by_128.value) == exact);
+    for (const RoundedNumber& other : {by_256, by_big}) {
+      ASSERT_EQ(other.value, by_128.value);
+      ASSERT_EQ(other.exact, by_128.exact);
+    }
+  }
+}
+
+TEST(NearestDouble, OverflowsToInfinity) {
+  EXPECT_EQ(nearest_double(BigInteger(1), BigInteger(1), 1024).value, HUGE_VAL);
+  EXPECT_EQ(nearest_double(BigInteger(-3), BigInteger(1), 1023).value, -HUGE_VAL);
+  EXPECT_EQ(nearest_double(Int128{1}, Int128{1}, 1023).value, std::ldexp(1.0, 1023));
+}
+
+Rational fraction(const std::string& text) { return Rational(text); }
+
+std::pair<Rational, Rational> exact_point(const ExactRing& ring, std::size_t k) {
+  const std::string text = exact_vertex(ring, k);
+  const std::size_t space = text.find(' ');
+  return {fraction(text.substr(0, space)), fraction(text.substr(space + 1))};
+}
+
+OuterFace sum_of(const Ring& a, const Ring& b, const Point& shift) {
+  return minkowski_sum(std::make_shared<Polygon>(make_polygon(a, "a")),
+                       std::make_shared<Polygon>(make_polygon(b, "b")), shift);
+}
+
+TEST(Rounding, IsNearestWithACertifiedBound) {
+  Random random(32);
+  int inexact = 0;
+  for (int k = 0; k < 1500; ++k) {
+    const Ring a = k % 2 == 0 ? test::random_small_integer_polygon(random, 8, 9)
+                              : test::random_spiky_star(random, 12);
+    const Ring b = test::random_spiky_star(random, 9);
+    const Point shift{k % 3 == 0 ? 0.0 : test::uniform(random, -9, 9) / 7.0,
+                      k % 5 == 0 ? 1e17 : 0.125};
+    OuterFace face;
+    try {
+      face = sum_of(a, b, shift);
+    } catch (const Error& error) {
+      ASSERT_EQ(error.status(), Status::range);  // two vertices fell together, far away
+      continue;
+    }
+    ASSERT_FALSE(find_conflict(face.rounded.vertices));
+    const Rational bound = rational(face.rounded.error_bound);
+    for (std::size_t i = 0; i < face.exact.size(); ++i) {
+      const auto [x, y] = exact_point(face.exact, i);
+      const Point& p = face.rounded.vertices[i];
+      ASSERT_NO_FATAL_FAILURE(expect_nearest(p.x, x));
+      ASSERT_NO_FATAL_FAILURE(expect_nearest(p.y, y));
+      const Rational dx = rational(p.x) - x;
+      const Rational dy = rational(p.y) - y;
+      ASSERT_LE(dx * dx + dy * dy, bound * bound);
+      inexact += dx != 0 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inexact, 1000);
+}
+
+TEST(Rounding, IsExactOnIntegers) {
+  const Ring square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  const OuterFace face = sum_of(square, square, {3, -4});
+  EXPECT_EQ(face.rounded.vertices, (Ring{{3, -4}, {5, -4}, {5, -2}, {3, -2}}));
+  EXPECT_EQ(face.rounded.error_bound, 0);
+}
+
+TEST(Rounding, AddsTheShiftBeforeRounding) {
+  // 1 + 2^-53 rounds to 1; with -1 added exactly before, 2^-53 is left.
+  const double tiny = 0x1p-53;
+  const Ring a{{1, 0}, {2, 0}, {1, 1}};
+  const Ring b{{tiny, 0}, {1, 0}, {tiny, 1}};
+  const OuterFace face = sum_of(a, b, {-1, 0});
+  EXPECT_EQ(face.rounded.vertices.front().x, tiny);
+}
+
+TEST(Rounding, RefusesWhatNoDoubleHolds) {
+  const Ring large{{1e308, 0}, {1.5e308, 0}, {1e308, 1}};
+  try {
+    sum_of(large, large, {0, 0});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::range);
+  }
+}
+
+}  // namespace
+}  // namespace gcv

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Real polygons from outside the project: the folder named by GCV_DATA_DIR, or the one
+// that lies beside the project.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "point.hpp"
+
+namespace gcv::test {
+
+struct NamedPair {
+  std::string name;
+  std::vector<Point> a;
+  std::vector<Point> b;
+};
+
+// Where the data is, if it is there.
+std::optional<std::filesystem::path> data_directory();
+
+std::vector<Point> read_polygon(const std::filesystem::path& file);
+
+// The pairs of the folder's pairs.txt.
+std::vector<NamedPair> read_pairs(const std::filesystem::path& directory);
+
+}  // namespace gcv::test
