@@ -115,9 +115,8 @@ void give_finite(double value, const char* what, double* out) {
 
 void fill_points(const std::vector<Point>& points, double* xy, std::size_t capacity,
                  std::size_t* required) {
-  fill(points.size(), xy, capacity, required, "vertices", [&](double* out) {
-    std::memcpy(out, points.data(), points.size() * sizeof(Point));
-  });
+  fill(points.size(), xy, capacity, required, "vertices",
+       [&](double* out) { std::memcpy(out, points.data(), points.size() * sizeof(Point)); });
 }
 
 void fill_text(const std::string& text, char* out, std::size_t capacity, std::size_t* required) {
@@ -129,16 +128,20 @@ gcv_edge_source public_source(const gcv::EdgeSource& source) {
   return {static_cast<std::int32_t>(source.kind), source.a, source.b};
 }
 
-std::shared_ptr<const gcv::Polygon> reflection(const gcv_polygon* polygon) {
-  return std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon->polygon));
+gcv::Operand operand(const gcv_polygon* polygon, const char* name) {
+  return {polygon->polygon, name};
+}
+
+gcv::Operand reflected_operand(const gcv_polygon* polygon, const char* name) {
+  return {std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon->polygon)), name};
 }
 
 // Sums of a handle's coordinates can overflow.
 double finite_sum(double a, double b) {
   const double sum = a + b;
   if (!std::isfinite(sum)) {
-    throw Error(Status::range, "superset: the sum of %g of a and %g of b is beyond the largest double",
-                a, b);
+    throw Error(Status::range,
+                "superset: the sum of %g of a and %g of b is beyond the largest double", a, b);
   }
   return sum + 0.0;
 }
@@ -150,7 +153,8 @@ uint32_t gcv_version_number(void) {
 }
 
 const char* gcv_version_string(void) {
-  return GCV_TEXT(GCV_VERSION_MAJOR) "." GCV_TEXT(GCV_VERSION_MINOR) "." GCV_TEXT(GCV_VERSION_PATCH);
+  return GCV_TEXT(GCV_VERSION_MAJOR) "." GCV_TEXT(GCV_VERSION_MINOR) "." GCV_TEXT(
+      GCV_VERSION_PATCH);
 }
 
 const char* gcv_status_name(gcv_status status) {
@@ -252,7 +256,7 @@ gcv_status gcv_minkowski_sum(const gcv_polygon* a, const gcv_polygon* b, const g
     require(b, "b");
     require(out, "out");
     check_options(options);
-    *out = new gcv_outer_face{gcv::minkowski_sum(a->polygon, b->polygon, {0, 0})};
+    *out = new gcv_outer_face{gcv::minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0})};
   });
 }
 
@@ -265,7 +269,8 @@ gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* movin
     require(out, "out");
     check_options(options);
     const Point shift = read_reference(reference, "reference");
-    *out = new gcv_outer_face{gcv::minkowski_sum(fixed->polygon, reflection(moving), shift)};
+    *out = new gcv_outer_face{
+        gcv::minkowski_sum(operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift)};
   });
 }
 
@@ -277,7 +282,8 @@ gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const 
     require(out, "out");
     check_options(options);
     const Point shift = read_reference(a0, "a0");
-    *out = new gcv_outer_face{gcv::minkowski_sum(reflection(a), b->polygon, shift)};
+    *out =
+        new gcv_outer_face{gcv::minkowski_sum(reflected_operand(a, "a"), operand(b, "b"), shift)};
   });
 }
 
@@ -391,10 +397,10 @@ gcv_status gcv_superset_create(const gcv_polygon* a, const gcv_polygon* b, gcv_s
     require(out, "out");
     auto superset = std::make_unique<gcv_superset>();
     for (const gcv::SupersetEdge& edge : gcv::superset(*a->polygon, *b->polygon)) {
-      superset->edges.push_back(
-          {finite_sum(edge.from.a.x, edge.from.b.x), finite_sum(edge.from.a.y, edge.from.b.y),
-           finite_sum(edge.to.a.x, edge.to.b.x), finite_sum(edge.to.a.y, edge.to.b.y),
-           public_source(edge.source)});
+      superset->edges.push_back({finite_sum(edge.from.a.x, edge.from.b.x),
+                                 finite_sum(edge.from.a.y, edge.from.b.y),
+                                 finite_sum(edge.to.a.x, edge.to.b.x),
+                                 finite_sum(edge.to.a.y, edge.to.b.y), public_source(edge.source)});
     }
     *out = superset.release();
   });

@@ -32,8 +32,7 @@ struct ChainTree {
     return {static_cast<std::uint32_t>(level_begin.size() - 1), 0};
   }
   [[nodiscard]] std::uint32_t level_size(std::uint32_t level) const {
-    const std::size_t end =
-        level + 1 < level_begin.size() ? level_begin[level + 1] : boxes.size();
+    const std::size_t end = level + 1 < level_begin.size() ? level_begin[level + 1] : boxes.size();
     return static_cast<std::uint32_t>(end - level_begin[level]);
   }
   // A node above the leaves has a left child 2k, and a right child 2k + 1 if that exists.
@@ -53,9 +52,8 @@ struct ChainTree {
     for (std::uint32_t level = 1; level < level_begin.size(); ++level) {
       for (std::uint32_t k = 0; k < level_size(level); ++k) {
         const std::size_t left = index({level - 1, 2 * k});
-        values[index({level, k})] = has_right_child({level, k})
-                                        ? combine(values[left], values[left + 1])
-                                        : values[left];
+        values[index({level, k})] =
+            has_right_child({level, k}) ? combine(values[left], values[left + 1]) : values[left];
       }
     }
   }

@@ -11,8 +11,8 @@ int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally&
   const Index i = a.edge_of_line[la];
   const Index j = b.edge_of_line[lb];
   const int sense = a.upper[i] == b.upper[j] ? 1 : -1;
-  return sense * turn(a.vertices[i], a.vertices[a.next(i)], b.vertices[j],
-                      b.vertices[b.next(j)], tally);
+  return sense *
+         turn(a.vertices[i], a.vertices[a.next(i)], b.vertices[j], b.vertices[b.next(j)], tally);
 }
 
 std::vector<Rank> ranks(const Polygon& polygon, const std::vector<Rank>& rank_of_line,
@@ -35,9 +35,7 @@ Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   Index la = 0;
   Index lb = 0;
   for (; la < lines_a || lb < lines_b; ++rank) {
-    const int order = la == lines_a   ? -1
-                      : lb == lines_b ? 1
-                                      : compare_lines(a, la, b, lb, tally);
+    const int order = la == lines_a ? -1 : lb == lines_b ? 1 : compare_lines(a, la, b, lb, tally);
     if (order >= 0) {
       rank_of_line_a[la++] = rank;
     }

@@ -6,7 +6,7 @@
 
 namespace gcv {
 
-Error::Error(Status status, const char* format, ...) noexcept : status_(status), message_{} {
+Error::Error(Status status, const char* format, ...) noexcept : status_(status) {
   std::va_list arguments;
   va_start(arguments, format);
   static_cast<void>(std::vsnprintf(message_, sizeof message_, format, arguments));

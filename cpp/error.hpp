@@ -36,7 +36,7 @@ class Error : public std::exception {
 
  private:
   Status status_;
-  char message_[capacity];
+  char message_[capacity] = "";
 };
 
 }  // namespace gcv

@@ -12,13 +12,14 @@ namespace gcv {
 // A vertex of the ring with what its coordinates are computed from, and the grid of that.
 class ExactVertex {
  public:
-  ExactVertex(const ExactRing& ring, std::size_t k) : vertex_(ring.vertices[k]), shift_(ring.shift) {
+  ExactVertex(const ExactRing& ring, std::size_t k)
+      : vertex_(ring.vertices[k]), shift_(ring.shift) {
     if (vertex_.is_sum) {
-      sum_ = {ring.a->vertices[vertex_.i], ring.b->vertices[vertex_.j]};
+      sum_ = {ring.a.polygon->vertices[vertex_.i], ring.b.polygon->vertices[vertex_.j]};
       grid_ = Grid{sum_.a, sum_.b, shift_};
     } else {
-      s_ = coordinates(*ring.a, *ring.b, ring.arriving[k]);
-      t_ = coordinates(*ring.a, *ring.b, ring.leaving[k]);
+      s_ = coordinates(*ring.a.polygon, *ring.b.polygon, ring.arriving[k]);
+      t_ = coordinates(*ring.a.polygon, *ring.b.polygon, ring.leaving[k]);
       grid_ = Grid{shift_};
       grid_.include(s_);
       grid_.include(t_);

@@ -23,6 +23,7 @@
 
 namespace gcv {
 
+// NOLINTNEXTLINE(modernize-use-using): `using` has no place for __extension__.
 __extension__ typedef __int128 Int128;
 
 template <unsigned bits>
@@ -32,8 +33,8 @@ using FixedInteger = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 using Int256 = FixedInteger<256>;
 using Int512 = FixedInteger<512>;
-using BigInteger = boost::multiprecision::number<boost::multiprecision::gmp_int,
-                                                 boost::multiprecision::et_off>;
+using BigInteger =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
 inline int sign(Int128 value) { return (value > 0) - (value < 0); }
 template <class Integer>

@@ -15,9 +15,15 @@
 
 namespace gcv {
 
+// A polygon and its name in messages, such as "a" or "fixed".
+struct Operand {
+  std::shared_ptr<const Polygon> polygon;
+  const char* name;
+};
+
 struct ExactRing {
-  std::shared_ptr<const Polygon> a;
-  std::shared_ptr<const Polygon> b;
+  Operand a;
+  Operand b;
   Point shift;  // added to every vertex
   std::vector<RingVertex> vertices;
   std::vector<PairEdge> arriving;  // at vertex k

@@ -20,20 +20,21 @@ EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const 
 
 }  // namespace
 
-OuterFace minkowski_sum(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b,
-                        const Point& shift) {
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift) {
+  const Polygon& pa = *a.polygon;
+  const Polygon& pb = *b.polygon;
   OuterFace face;
   Tally& tally = face.counts.predicates;
-  const Operands operands{*a, *b, merge_directions(*a, *b, tally)};
+  const Operands operands{pa, pb, merge_directions(pa, pb, tally)};
   Walk walk = walk_outer_face(operands, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
   face.sources.reserve(walk.leaving.size());
   for (const PairEdge& e : walk.leaving) {
-    face.sources.push_back(in_callers_numbers(superset_source(operands, e), *a, *b));
+    face.sources.push_back(in_callers_numbers(superset_source(operands, e), pa, pb));
   }
-  face.exact = {std::move(a),          std::move(b),         shift, std::move(walk.vertices),
-                std::move(walk.arriving), std::move(walk.leaving)};
+  face.exact = {
+      a, b, shift, std::move(walk.vertices), std::move(walk.arriving), std::move(walk.leaving)};
   face.rounded = round_to_nearest(face.exact, tally);
   return face;
 }

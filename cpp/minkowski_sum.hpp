@@ -30,8 +30,7 @@ struct OuterFace {
 };
 
 // The outer face of a + b + shift. Throws Error: range, internal.
-OuterFace minkowski_sum(std::shared_ptr<const Polygon> a, std::shared_ptr<const Polygon> b,
-                        const Point& shift);
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift);
 
 // The explicit superset of a + b, its sources in the callers' numbers.
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);

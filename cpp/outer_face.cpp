@@ -159,7 +159,9 @@ class Walker {
     }
   }
 
-  [[nodiscard]] Line line_of(const PairEdge& e) const { return {e, coordinates(operands_.a, operands_.b, e)}; }
+  [[nodiscard]] Line line_of(const PairEdge& e) const {
+    return {e, coordinates(operands_.a, operands_.b, e)};
+  }
 
   static Place sum_place(Index i, Index j) { return {true, i, j, {}, {}}; }
 
@@ -306,8 +308,7 @@ class Walker {
     const Rank rank = operands_.rank(s.edge);
     const Rank angle = directions_.angle(rank, operands_.rank(event.line.edge));
     const Rank best_angle = directions_.angle(rank, operands_.rank(best->line.edge));
-    return angle < best_angle ||
-           (angle == best_angle && reaches_further(event.line, best->line));
+    return angle < best_angle || (angle == best_angle && reaches_further(event.line, best->line));
   }
 
   static void take_sum(Place& place, const Place& sum) {
@@ -360,7 +361,8 @@ class Walker {
           consider(e);
         });
     if (!best) {
-      throw Error(Status::internal, "no superset edge leads on from vertex %u of a + vertex %u of b",
+      throw Error(Status::internal,
+                  "no superset edge leads on from vertex %u of a + vertex %u of b",
                   operands_.a.vertex_number[end.i], operands_.b.vertex_number[end.j]);
     }
     return *best;

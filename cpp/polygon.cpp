@@ -40,8 +40,9 @@ void check_finite(std::span<const Point> boundary, const char* name) {
   for (std::size_t i = 0; i < boundary.size(); ++i) {
     const Point& p = boundary[i];
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw Error(Status::not_finite, "%s: the %s coordinate of vertex %zu is %g, not a finite number",
-                  name, std::isfinite(p.x) ? "y" : "x", i, std::isfinite(p.x) ? p.y : p.x);
+      throw Error(Status::not_finite,
+                  "%s: the %s coordinate of vertex %zu is %g, not a finite number", name,
+                  std::isfinite(p.x) ? "y" : "x", i, std::isfinite(p.x) ? p.y : p.x);
     }
   }
 }
@@ -87,7 +88,8 @@ void check_simple(const Chain& chain, const char* name, Tally& tally) {
     const Point& q = chain.points[i];
     const Point& r = chain.points[chain.next(i)];
     if (orientation(p, q, r, tally) == 0 && turns_back(p, q, r)) {
-      throw Error(Status::not_simple, "%s: edges %u and %u overlap: the ring turns back at vertex %u (%.17g, %.17g)",
+      throw Error(Status::not_simple,
+                  "%s: edges %u and %u overlap: the ring turns back at vertex %u (%.17g, %.17g)",
                   name, chain.edge[before], chain.edge[i], chain.vertex[i], q.x, q.y);
     }
   }
@@ -192,8 +194,9 @@ Polygon make_polygon(std::span<const Point> boundary, const char* name) {
   Tally tally;
   const Chain chain = without_repetitions(boundary);
   if (chain.size() < 3) {
-    throw Error(Status::degenerate, "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed",
-                name, chain.size(), boundary.size());
+    throw Error(Status::degenerate,
+                "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed", name,
+                chain.size(), boundary.size());
   }
   if (all_collinear(chain, tally)) {
     throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, boundary.size());

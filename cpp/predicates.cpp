@@ -44,8 +44,8 @@ Approximation cross_of_offset(double dx, double dy, const SumPoint& from, const 
   const double qx = to.b.x - from.b.x;
   const double qy = to.b.y - from.b.y;
   const double value = dx * (py + qy) - dy * (px + qx);
-  const double size = std::abs(dx) * (std::abs(py) + std::abs(qy)) +
-                      std::abs(dy) * (std::abs(px) + std::abs(qx));
+  const double size =
+      std::abs(dx) * (std::abs(py) + std::abs(qy)) + std::abs(dy) * (std::abs(px) + std::abs(qx));
   return {value, cross_error * size + underflow_error};
 }
 
@@ -71,7 +71,8 @@ int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tal
   }
   const Grid grid{p0, p1, q0, q1};
   return with_integers(2 * grid.bits() + 3, tally, [&]<class Integer>() {
-    return sign(cross(vector_between<Integer>(grid, p0, p1), vector_between<Integer>(grid, q0, q1)));
+    return sign(
+        cross(vector_between<Integer>(grid, p0, p1), vector_between<Integer>(grid, q0, q1)));
   });
 }
 
@@ -129,10 +130,10 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
     return {-infinity, infinity};
   }
   const double quotient = n.value / d.value;
-  const double error = (1 + 16 * unit_roundoff) * (2 * (n.error + std::abs(quotient) * d.error) /
-                                                       size +
-                                                   4 * unit_roundoff * std::abs(quotient)) +
-                       std::numeric_limits<double>::min();
+  const double error =
+      (1 + 16 * unit_roundoff) * (2 * (n.error + std::abs(quotient) * d.error) / size +
+                                  4 * unit_roundoff * std::abs(quotient)) +
+      std::numeric_limits<double>::min();
   if (!std::isfinite(quotient) || !std::isfinite(error)) {
     return {-infinity, infinity};
   }

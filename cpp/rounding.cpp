@@ -66,6 +66,23 @@ double length_bound(double x, double y) {
   return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
 }
 
+void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
+  const bool x_is_finite = std::isfinite(vertex.x.value);
+  if (x_is_finite && std::isfinite(vertex.y.value)) {
+    return;
+  }
+  // A crossing is named by the edge that it lies on.
+  const bool is_sum = ring.vertices[k].is_sum;
+  const Index i = is_sum ? ring.vertices[k].i : ring.leaving[k].i;
+  const Index j = is_sum ? ring.vertices[k].j : ring.leaving[k].j;
+  throw Error(
+      Status::range,
+      "the %s coordinate of vertex %zu of the outer face, %s vertex %u of %s + vertex %u of "
+      "%s, is beyond the largest double",
+      x_is_finite ? "y" : "x", k, is_sum ? "the sum" : "on an edge from the sum",
+      ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
+}
+
 }  // namespace
 
 // Moving the vertices of a ring by at most d moves each point of it by at most d, so the
@@ -75,17 +92,15 @@ RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally) {
   rounded.vertices.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
     const RoundedVertex vertex = rounded_vertex(ring, k, tally);
-    if (!std::isfinite(vertex.x.value) || !std::isfinite(vertex.y.value)) {
-      throw Error(Status::range, "the %s coordinate of vertex %zu of the outer face is beyond the largest double",
-                  std::isfinite(vertex.x.value) ? "y" : "x", k);
-    }
+    check_finite(ring, k, vertex);
     rounded.vertices.push_back({vertex.x.value, vertex.y.value});
-    rounded.error_bound =
-        std::max(rounded.error_bound,
-                 length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
+    rounded.error_bound = std::max(
+        rounded.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
   }
   if (const auto conflict = find_conflict(rounded.vertices)) {
-    throw Error(Status::range, "the doubles nearest to the vertices of the outer face do not form a simple ring: edges %zu and %zu meet near (%.17g, %.17g)",
+    throw Error(Status::range,
+                "the doubles nearest to the vertices of the outer face do not form a simple ring: "
+                "edges %zu and %zu meet near (%.17g, %.17g)",
                 conflict->first, conflict->second, rounded.vertices[conflict->first].x,
                 rounded.vertices[conflict->first].y);
   }

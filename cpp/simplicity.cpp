@@ -29,9 +29,8 @@ class Sweep {
   std::optional<Conflict> run() {
     std::vector<Edge> order(ring_.size());
     std::iota(order.begin(), order.end(), Edge{0});
-    std::sort(order.begin(), order.end(), [this](Edge i, Edge j) {
-      return lexicographically_less(ring_[i], ring_[j]);
-    });
+    std::sort(order.begin(), order.end(),
+              [this](Edge i, Edge j) { return lexicographically_less(ring_[i], ring_[j]); });
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       if (ring_[order[k]] == ring_[order[k + 1]]) {
         return Conflict{std::min(order[k], order[k + 1]), std::max(order[k], order[k + 1])};
@@ -107,8 +106,7 @@ class Sweep {
     if (c_side == 0 && d_side == 0) {
       return !lexicographically_less(b, c) && !lexicographically_less(d, a);
     }
-    return c_side * d_side <= 0 &&
-           orientation(c, d, a, tally_) * orientation(c, d, b, tally_) <= 0;
+    return c_side * d_side <= 0 && orientation(c, d, a, tally_) * orientation(c, d, b, tally_) <= 0;
   }
 
   void test_with_lower_neighbour(Place place) {
@@ -118,7 +116,7 @@ class Sweep {
   }
 
   void enter(Edge edge, Place hint) {
-    const Place place = active_.insert(hint, edge);
+    const auto place = active_.insert(hint, edge);
     places_[edge] = place;
     test_with_lower_neighbour(place);
     test_with_lower_neighbour(std::next(place));

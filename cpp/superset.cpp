@@ -13,9 +13,8 @@ namespace {
 std::vector<Index> edges_by_rank(const std::vector<Rank>& ranks) {
   std::vector<Index> order(ranks.size());
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index e, Index f) {
-    return std::tie(ranks[e], e) < std::tie(ranks[f], f);
-  });
+  std::sort(order.begin(), order.end(),
+            [&](Index e, Index f) { return std::tie(ranks[e], e) < std::tie(ranks[f], f); });
   return order;
 }
 
@@ -101,11 +100,11 @@ SupersetEdge translated_corner_edge(const Operands& operands, Index i, Index j, 
   }
   const bool a_longer = a_is_longer(operands, i, j);
   if (merge == Merge::start) {
-    return {sum_of(operands, i, j),
-            a_longer ? sum_of(operands, i1, j) : sum_of(operands, i, j1), source};
+    return {sum_of(operands, i, j), a_longer ? sum_of(operands, i1, j) : sum_of(operands, i, j1),
+            source};
   }
-  return {a_longer ? sum_of(operands, i, j1) : sum_of(operands, i1, j),
-          sum_of(operands, i1, j1), source};
+  return {a_longer ? sum_of(operands, i, j1) : sum_of(operands, i1, j), sum_of(operands, i1, j1),
+          source};
 }
 
 }  // namespace
@@ -127,18 +126,20 @@ std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
   const auto add = [&](const PairEdge& e) {
     const EdgeSource source = superset_source(operands, e);
     if (source.kind == EdgeKind::translated_corner) {
-      edges.push_back(translated_corner_edge(operands, source.a, source.b,
-                                             operands.merge(source.a, source.b)));
+      edges.push_back(
+          translated_corner_edge(operands, source.a, source.b, operands.merge(source.a, source.b)));
     } else if (source.kind == EdgeKind::translated) {
       edges.push_back({sum_of(operands, e.i, e.j), sum_of(operands, a.next(e.i), e.j), source});
     } else {
       edges.push_back({sum_of(operands, e.i, e.j), sum_of(operands, e.i, b.next(e.j)), source});
     }
   };
-  for_each_contribution(directions.rank_a, b, directions.rank_b,
-                        [&](Index i, Index j) { add({PairEdge::translated, i, j}); });
-  for_each_contribution(directions.rank_b, a, directions.rank_a,
-                        [&](Index j, Index i) { add({PairEdge::corner, i, j}); });
+  for_each_contribution(directions.rank_a, b, directions.rank_b, [&](Index i, Index j) {
+    add({PairEdge::translated, i, j});
+  });
+  for_each_contribution(directions.rank_b, a, directions.rank_a, [&](Index j, Index i) {
+    add({PairEdge::corner, i, j});
+  });
   const auto key = [](const SupersetEdge& e) {
     return std::tuple(e.source.kind, e.source.a, e.source.b);
   };

@@ -28,7 +28,10 @@ int bit_length(const Integer& value) {
   return static_cast<int>(msb(value)) + 1;
 }
 
-inline std::pair<Int128, Int128> divide(Int128 n, Int128 d) { return {n / d, n % d}; }
+inline std::pair<Int128, Int128> divide(Int128 n, Int128 d) {
+  return {n / d, n % d};  // NOLINT(clang-analyzer-core.DivideZero): denominators are positive
+}
+
 template <class Integer>
 std::pair<Integer, Integer> divide(const Integer& n, const Integer& d) {
   std::pair<Integer, Integer> result;

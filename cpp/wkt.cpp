@@ -47,8 +47,8 @@ class Parser {
       throw Error(Status::parse, "%s: byte %zu: expected %s, found '%c'", name_, at_, expected,
                   byte);
     }
-    throw Error(Status::parse, "%s: byte %zu: expected %s, found byte 0x%02x", name_, at_,
-                expected, byte);
+    throw Error(Status::parse, "%s: byte %zu: expected %s, found byte 0x%02x", name_, at_, expected,
+                byte);
   }
 
   void skip_space() {
@@ -122,9 +122,9 @@ class Parser {
       value = underflows(digits) ? 0.0 : HUGE_VAL;
     }
     if (!std::isfinite(value)) {
-      throw Error(Status::not_finite, "%s: byte %zu: %.*s in vertex %zu of ring %zu is not a finite double",
-                  name_, begin, static_cast<int>(length < 40 ? length : 40), digits.data(), vertex,
-                  ring);
+      throw Error(Status::not_finite,
+                  "%s: byte %zu: %.*s in vertex %zu of ring %zu is not a finite double", name_,
+                  begin, static_cast<int>(length < 40 ? length : 40), digits.data(), vertex, ring);
     }
     at_ = begin + length;
     if (at_ < text_.size() && !is_space(text_[at_]) && text_[at_] != ',' && text_[at_] != ')') {
@@ -136,7 +136,7 @@ class Parser {
   // Which way is a number out of range? from_chars does not tell. The decimal exponent
   // of its first digit other than 0 does.
   static bool underflows(std::string_view digits) {
-    long point = 0;   // digits before the point, from the first that is not 0
+    long point = 0;  // digits before the point, from the first that is not 0
     bool started = false;
     bool fraction = false;
     std::size_t k = 0;

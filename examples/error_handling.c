@@ -52,8 +52,8 @@ static bool bad_polygons(void) {
   ok &= show_wkt("text that is no polygon", GCV_ERR_PARSE, "POINT (1 2)");
   ok &= show_wkt("text that ends too early", GCV_ERR_PARSE, "POLYGON ((0 0, 1 0, 1");
   ok &= show_wkt("an empty polygon", GCV_ERR_DEGENERATE, "POLYGON EMPTY");
-  ok &= show_wkt("a number beyond all doubles", GCV_ERR_NOT_FINITE,
-                 "POLYGON ((0 0, 1e999 0, 0 1))");
+  ok &=
+      show_wkt("a number beyond all doubles", GCV_ERR_NOT_FINITE, "POLYGON ((0 0, 1e999 0, 0 1))");
   return ok;
 }
 
@@ -67,8 +67,7 @@ static bool bad_sums(const gcv_polygon *huge, const gcv_polygon *triangle) {
                  gcv_minkowski_sum(triangle, NULL, NULL, &face));
   ok &= show("an unknown rounding", GCV_ERR_INVALID_ARGUMENT,
              gcv_minkowski_sum(triangle, triangle, &options, &face));
-  ok &= show("a sum beyond all doubles", GCV_ERR_RANGE,
-             gcv_minkowski_sum(huge, huge, NULL, &face));
+  ok &= show("a sum beyond all doubles", GCV_ERR_RANGE, gcv_minkowski_sum(huge, huge, NULL, &face));
   ok &= show("a reference point that is not a number", GCV_ERR_NOT_FINITE,
              gcv_no_fit_polygon(triangle, triangle, reference, NULL, &face));
   return ok && face == NULL;

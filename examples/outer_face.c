@@ -86,9 +86,8 @@ static bool compute(const options *o, results *r) {
   if (!load(o->a, &r->a) || !load(o->b, &r->b)) return false;
 
   clock_t start = clock();
-  gcv_status status = o->no_fit
-                          ? gcv_no_fit_polygon(r->a, r->b, o->reference, NULL, &r->face)
-                          : gcv_minkowski_sum(r->a, r->b, NULL, &r->face);
+  gcv_status status = o->no_fit ? gcv_no_fit_polygon(r->a, r->b, o->reference, NULL, &r->face)
+                                : gcv_minkowski_sum(r->a, r->b, NULL, &r->face);
   r->milliseconds = 1e3 * (double)(clock() - start) / CLOCKS_PER_SEC;
 
   if (status == GCV_OK) return true;
@@ -116,7 +115,8 @@ static bool write_exact_vertex(const gcv_outer_face *face, size_t index, FILE *f
   size_t length;
   if (!check(gcv_outer_face_exact_vertex(face, index, NULL, 0, &length), "vertex")) return false;
   char *text = allocate(length, 1);
-  bool ok = text && check(gcv_outer_face_exact_vertex(face, index, text, length, &length), "vertex");
+  bool ok =
+      text && check(gcv_outer_face_exact_vertex(face, index, text, length, &length), "vertex");
   if (ok) fprintf(file, "%s\n", text);
   free(text);
   return ok;
@@ -136,8 +136,10 @@ static bool write_stats(const options *o, const results *r, FILE *file) {
   double bound, area;
   gcv_stats stats = {.struct_size = sizeof stats};
   gcv_status area_status = gcv_outer_face_area(r->face, &area);
-  if (area_status == GCV_ERR_RANGE) area = INFINITY; /* finite coordinates do not prevent it */
-  else if (!check(area_status, "area")) return false;
+  if (area_status == GCV_ERR_RANGE)
+    area = INFINITY; /* finite coordinates do not prevent it */
+  else if (!check(area_status, "area"))
+    return false;
 
   if (!check(gcv_polygon_vertex_count(r->a, &a), "A") ||
       !check(gcv_polygon_vertex_count(r->b, &b), "B") ||

@@ -23,7 +23,7 @@ static const char STYLE[] =
     "  path { fill: none; stroke-linejoin: round; stroke-linecap: round }\n"
     "  .a { fill: #e3eefc; stroke: #1c6dd0; stroke-width: 1.5 }\n"
     "  .b { fill: #fdebe0; stroke: #e0561f; stroke-width: 1.5 }\n"
-    "  .sum { fill: #f2f4f7 }\n"
+    "  .sum { fill: #ebeff4 }\n"
     "  .faint-a { fill: #1c6dd0; fill-opacity: 0.14 }\n"
     "  .faint-b { fill: #e0561f; fill-opacity: 0.24 }\n"
     "  .edge { stroke: #1b2430; stroke-width: 2.2 }\n"
@@ -168,8 +168,8 @@ static layout lay_out(const picture *p) {
   l.a.top = MARGIN + CAPTION;
   l.b.top = l.a.top + scale * height(l.a.box) + LEGEND;
   l.sum.top = l.a.top + LEGEND;
-  l.page_height = fmax(l.b.top + scale * height(l.b.box), l.sum.top + scale * height(l.sum.box)) +
-                  MARGIN;
+  l.page_height =
+      fmax(l.b.top + scale * height(l.b.box), l.sum.top + scale * height(l.sum.box)) + MARGIN;
   return l;
 }
 
@@ -261,11 +261,13 @@ static void put_legend(FILE *file, const layout *l, const picture *p) {
 
 void write_svg(FILE *file, const picture *p) {
   layout l = lay_out(p);
-  fprintf(file, "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %.0f %.0f\""
-                " width=\"%.0f\" height=\"%.0f\">\n",
+  fprintf(file,
+          "<svg xmlns=\"http://www.w3.org/2000/svg\" role=\"img\" viewBox=\"0 0 %.0f %.0f\""
+          " width=\"%.0f\" height=\"%.0f\">\n",
           l.page_width, l.page_height, l.page_width, l.page_height);
-  fprintf(file, "<title>%s</title>\n", p->no_fit ? "The no-fit polygon of A and B"
-                                                 : "The outer face of the Minkowski sum A + B");
+  fprintf(
+      file, "<title>%s</title>\n",
+      p->no_fit ? "The no-fit polygon of A and B" : "The outer face of the Minkowski sum A + B");
   fputs(STYLE, file);
   fputs("<rect width=\"100%\" height=\"100%\" rx=\"8\" fill=\"#ffffff\"/>\n", file);
 

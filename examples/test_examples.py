@@ -7,9 +7,9 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree as ElementTree
 from fractions import Fraction
 from pathlib import Path
+from xml.etree import ElementTree
 
 PROGRAMS = Path(os.environ["GCV_EXAMPLES"])
 POLYGONS = Path(__file__).parent / "polygons"
@@ -26,9 +26,9 @@ PAIRS = [
 ]
 
 
-def run(program, *arguments, **options):
+def run(program, *arguments):
     return subprocess.run([PROGRAMS / program, *map(str, arguments)], text=True,
-                          capture_output=True, timeout=300, **options)
+                          capture_output=True, check=False, timeout=300)
 
 
 def polygon(name):
@@ -66,7 +66,7 @@ class Programs(unittest.TestCase):
         done = run("caller_buffer")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertIn("square + triangle: 7 vertices", done.stdout)
-        self.assertEqual(done.stdout.count("do not fit"), 1)
+        self.assertEqual(done.stdout.count("do not fit"), 2)
 
     def test_error_handling(self):
         done = run("error_handling")
@@ -74,7 +74,7 @@ class Programs(unittest.TestCase):
         self.assertNotIn("GCV_OK", done.stdout)
         for line in done.stdout.splitlines():
             if "GCV_ERR" in line:
-                self.assertRegex(line, r"GCV_ERR_\w+: .{10,}")
+                self.assertRegex(line, r"GCV_ERR_\w+: .+")
 
     def test_no_fit_polygon(self):
         done = run("no_fit_polygon")
@@ -95,11 +95,12 @@ class Pairs(TestInFolder):
         self.assertEqual(root.tag, f"{SVG}svg")
         box = [float(number) for number in root.get("viewBox").split()]
         drawn = 0
-        for path in root.iter(f"{SVG}path"):
-            numbers = [float(n) for n in re.findall(r"-?\d+\.\d+", path.get("d"))]
+        for drawing in root.iter(f"{SVG}path"):
+            numbers = [float(n) for n in re.findall(r"-?\d+\.\d+", drawing.get("d"))]
             self.assertTrue(all(0 <= x <= box[2] for x in numbers[0::2]))
             self.assertTrue(all(0 <= y <= box[3] for y in numbers[1::2]))
-            drawn += path.get("d").count("L") if "edge kind" in path.get("class") else 0
+            if "edge kind" in drawing.get("class"):
+                drawn += drawing.get("d").count("L")
         self.assertEqual(drawn, edges)
 
     def test_pairs(self):
@@ -113,11 +114,13 @@ class Pairs(TestInFolder):
                 self.check_picture(picture, len(ring))
 
     def test_key_goes_into_the_lock(self):
-        """The pocket behind the slot is kept, and the slit that leads into it."""
+        """The slit of 2^-40, the pocket behind it, and a slit from there down."""
         done = run("outer_face", polygon("lock"), polygon("key"), "--no-fit", "0,0")
         ring = vertices(done.stdout)
-        self.assertIn((74.0, -3.0), ring)
-        self.assertEqual(min(y for x, y in ring if 60 < x < 72 and abs(y) < 10), -5.0)
+        clearance = 2.0 ** -40
+        for slit in ((14, 0), (14, clearance)), ((66, -5), (66 + clearance, -5)):
+            self.assertLessEqual(set(slit), set(ring))
+        self.assertLessEqual({(58, -3), (68, -3)}, set(ring))
 
     def test_pictures_of_any_size_and_place(self):
         for number in ("1e-320", "1e-30", "1e30", "4e307"):
@@ -148,8 +151,7 @@ class Results(TestInFolder):
 
     def test_no_fit(self):
         done = run("outer_face", self.square, self.triangle, "--no-fit", "0,-1e0")
-        self.assertEqual(vertices(done.stdout), [(-1, 0), (0, -2), (2, -2), (2, 1), (-1, 1)][:0]
-                         or [(-1, -1), (0, -2), (2, -2), (2, 1), (-1, 1)])
+        self.assertEqual(vertices(done.stdout), [(-1, -1), (0, -2), (2, -2), (2, 1), (-1, 1)])
 
     def test_exact(self):
         done = run("outer_face", self.square, self.triangle, "--exact")

@@ -42,33 +42,37 @@ def comb():
     points = []
     for k in range(teeth):
         x, tip = k * pitch, k - 44
-        points += [(x, 0), (x + 0.7, tip + 1.5), (x + 1.75, tip), (x + 2.8, tip + 1.5), (x + 3.5, 0)]
-    end = points.pop()
-    middle = (end[0] / 2, 27)
-    return rounded(points + bezier(end, (end[0] + 4, 22), (middle[0] + 22, 27), middle, 12)
-                   + bezier(middle, (middle[0] - 22, 27), (-4, 22), (0, 0), 12)[1:-1])
+        points += [(x, 0), (x + 0.7, tip + 1.5), (x + 1.75, tip), (x + 2.8, tip + 1.5),
+                   (x + 3.5, 0)]
+    end, _ = points.pop()
+    middle = end / 2
+    back = bezier((end, 0), (end + 4, 22), (middle + 22, 27), (middle, 27), 12)
+    back += bezier((middle, 27), (middle - 22, 27), (-4, 22), (0, 0), 12)[1:-1]
+    return rounded(points + back)
 
 
 def hairpin():
     """A hairpin, its prongs three teeth of the comb apart and wavy in the middle."""
     wave = [(0, -20), (1.2, -23), (0, -26), (1.2, -29), (0, -32)]
     inside = arc(0, 0, 11.4, 90, 0, 10) + [(11.4 + dx, y) for dx, y in wave] + [(11.6, -50)]
-    outside = [(12.4, -50)] + [(12.6 + dx, y) for dx, y in reversed(wave)] + arc(0, 0, 12.6, 0, 90, 10)
-    return rounded(mirrored(inside + outside))
+    outside = [(12.4, -50)] + [(12.6 + dx, y) for dx, y in reversed(wave)]
+    return rounded(mirrored(inside + outside + arc(0, 0, 12.6, 0, 90, 10)))
 
 
 def fork(tines, width, gap, length, handle):
     """A fork that lies with its tines to the right."""
     span = tines * width + (tines - 1) * gap
-    contour = [(0, span / 2)]
+    prongs = []
     for k in range(tines):
         y, end = span / 2 - k * (width + gap), length * (1 - 0.04 * abs(k - (tines - 1) / 2))
-        contour += [(end - 3 * width, y), (end, y - width / 2), (end - 3 * width, y - width), (0, y - width)]
+        prongs += [(end - 3 * width, y), (end, y - width / 2), (end - 3 * width, y - width)]
         if k < tines - 1:
-            contour += arc(0, y - width - gap / 2, gap / 2, 90, 270, 8)[1:]
-    shoulder = bezier((0, -span / 2), (-0.6 * span, -span / 2), (-0.4 * span, -width / 2), (-0.8 * span, -width / 2), 10)
+            prongs += arc(0, y - width - gap / 2, gap / 2, 90, 270, 8)
+    shoulder = bezier((0, -span / 2), (-0.6 * span, -span / 2),
+                      (-0.4 * span, -width / 2), (-0.8 * span, -width / 2), 10)
     end = arc(-0.8 * span - handle, 0, 1.2 * width, -60, -300, 14)
-    return rounded(contour[:-1] + shoulder + end + [(x, -y) for x, y in reversed(shoulder[1:])])[::-1]
+    outline = prongs + shoulder + end + [(x, -y) for x, y in reversed(shoulder)]
+    return rounded(reversed(outline))
 
 
 # --------------------------------------------------------------------- key and lock --
@@ -93,7 +97,7 @@ def lock():
     notches = [(100, -9), (100, -11), (105 + wider, -11), (105 + wider, -9),
                (109, -9), (109, -9.5), (114 + wider, -9.5), (114 + wider, -9),
                (118, -9), (118, -11), (122 + wider, -11), (122 + wider, -9)]
-    chamber = [(130, -9), (130, 3 + wider), (70, 3 + wider)]
+    chamber = [(126, -9), (126, 3 + wider), (70, 3 + wider)]
     body = (arc(80, 21, 10, 180, 90, 8) + arc(130, 21, 10, 90, 0, 8)
             + arc(130, -29, 10, 0, -90, 8) + arc(80, -29, 10, -90, -180, 8))
     return (slot + notches + chamber + body)[::-1]
@@ -109,14 +113,15 @@ def robot():
 def room():
     """A floor plan, in metres: walls and built-in furniture. Inner doors are 1 m wide, the
     one of the store room 0.6 m; the front door makes the walls one simple polygon."""
-    return [(0, 0), (5.3, 0), (5.3, 0.3), (4.6, 0.3), (4.6, 1.6), (4.4, 1.6), (4.4, 0.3), (0.3, 0.3),
-            (0.3, 2), (1.2, 2), (1.2, 4), (0.3, 4), (0.3, 5), (2.9, 5), (2.9, 5.2), (0.3, 5.2),
-            (0.3, 7), (2.2, 7), (2.2, 8.7), (4.4, 8.7), (4.4, 5.2), (3.9, 5.2), (3.9, 5), (4.4, 5),
-            (4.4, 2.6), (4.6, 2.6), (4.6, 6), (5, 6), (5, 6.2), (4.6, 6.2), (4.6, 8.7), (7.2, 8.7),
-            (7.2, 6.2), (6, 6.2), (6, 6), (7.2, 6), (7.2, 3.4), (7.4, 3.4), (7.4, 4.6), (9.2, 4.6),
-            (9.2, 4.8), (7.4, 4.8), (7.4, 8.7), (11.7, 8.7), (11.7, 4.8), (9.8, 4.8), (9.8, 4.6),
-            (11.7, 4.6), (11.7, 3.4), (10.9, 3.4), (10.9, 0.9), (9.2, 0.9), (9.2, 0.3), (7.4, 0.3),
-            (7.4, 2.4), (7.2, 2.4), (7.2, 0.3), (6.5, 0.3), (6.5, 0), (12, 0), (12, 9), (0, 9)]
+    return [(0, 0), (5.3, 0), (5.3, 0.3), (4.6, 0.3), (4.6, 1.6), (4.4, 1.6), (4.4, 0.3),
+            (0.3, 0.3), (0.3, 2), (1.2, 2), (1.2, 4), (0.3, 4), (0.3, 5), (2.9, 5), (2.9, 5.2),
+            (0.3, 5.2), (0.3, 7), (2.2, 7), (2.2, 8.7), (4.4, 8.7), (4.4, 5.2), (3.9, 5.2),
+            (3.9, 5), (4.4, 5), (4.4, 2.6), (4.6, 2.6), (4.6, 6), (5, 6), (5, 6.2), (4.6, 6.2),
+            (4.6, 8.7), (7.2, 8.7), (7.2, 6.2), (6, 6.2), (6, 6), (7.2, 6), (7.2, 3.4),
+            (7.4, 3.4), (7.4, 4.6), (9.2, 4.6), (9.2, 4.8), (7.4, 4.8), (7.4, 8.7), (11.7, 8.7),
+            (11.7, 4.8), (9.8, 4.8), (9.8, 4.6), (11.7, 4.6), (11.7, 3.4), (10.9, 3.4),
+            (10.9, 0.9), (9.2, 0.9), (9.2, 0.3), (7.4, 0.3), (7.4, 2.4), (7.2, 2.4), (7.2, 0.3),
+            (6.5, 0.3), (6.5, 0), (12, 0), (12, 9), (0, 9)]
 
 
 # ------------------------------------------------------------------ coast and islet --
@@ -133,7 +138,8 @@ def island(seed, corners, radius, halvings):
         finer = []
         for (x0, y0), (x1, y1) in zip(ring, ring[1:] + ring[:1]):
             shift = 0.72 * (chance() - 0.5)
-            finer += [(x0, y0), ((x0 + x1) / 2 - shift * (y1 - y0), (y0 + y1) / 2 + shift * (x1 - x0))]
+            finer += [(x0, y0),
+                      ((x0 + x1) / 2 - shift * (y1 - y0), (y0 + y1) / 2 + shift * (x1 - x0))]
         ring = finer
     return rounded(ring)
 

@@ -18,8 +18,8 @@ using test::Random;
 using test::Ring;
 
 OuterFace sum_of(const Ring& a, const Ring& b) {
-  return minkowski_sum(std::make_shared<Polygon>(make_polygon(a, "a")),
-                       std::make_shared<Polygon>(make_polygon(b, "b")), {0, 0});
+  return minkowski_sum({std::make_shared<Polygon>(make_polygon(a, "a")), "a"},
+                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, {0, 0});
 }
 
 Ring scaled(Ring ring, double factor) {
@@ -83,8 +83,7 @@ TEST(OuterFace, IsTranslatedAndScaledWithItsOperands) {
     const Ring sum = sum_of(a, b).rounded.vertices;
     // Scaling by a power of two commutes with rounding, to the last bit.
     for (const double factor : {0x1p-900, 0x1p900}) {
-      ASSERT_EQ(sum_of(scaled(a, factor), scaled(b, factor)).rounded.vertices,
-                scaled(sum, factor));
+      ASSERT_EQ(sum_of(scaled(a, factor), scaled(b, factor)).rounded.vertices, scaled(sum, factor));
     }
     const OuterFace there = sum_of(translated(a, 0x1p40, 64), translated(b, -0x1p40, -64));
     ASSERT_EQ(there.rounded.vertices, sum);
@@ -147,8 +146,8 @@ TEST(OuterFace, TakesSecondsForTenThousandVertices) {
   const auto begin = std::chrono::steady_clock::now();
   const OuterFace face = sum_of(a, b);
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - begin;
-  std::printf("%zu x %zu vertices, %zu of the sum: %.3f s\n", a.size(), b.size(),
-              face.exact.size(), time.count());
+  std::printf("%zu x %zu vertices, %zu of the sum: %.3f s\n", a.size(), b.size(), face.exact.size(),
+              time.count());
   EXPECT_GT(face.exact.size(), 10000U);
   EXPECT_LT(time.count(), 60);
 }

@@ -67,8 +67,8 @@ TEST(Polygon, NegativeZeroBecomesZero) {
 TEST(Polygon, OrientationFarFromTheOrigin) {
   // A shoelace sum in doubles has the wrong sign here.
   const double far = 1e15;
-  Ring ring{{far, far},         {far + 1, far}, {far + 1, far + 1}, {far + 0.5, far + 0.25},
-            {far, far + 1}};
+  Ring ring{
+      {far, far}, {far + 1, far}, {far + 1, far + 1}, {far + 0.5, far + 0.25}, {far, far + 1}};
   const Polygon forward = make_polygon(ring, "polygon");
   std::reverse(ring.begin(), ring.end());
   const Polygon backward = make_polygon(ring, "polygon");
@@ -87,9 +87,9 @@ TEST(Polygon, Refusals) {
   EXPECT_EQ(status_of({{1, 1}, {2, 2}, {3, 3}, {0, 0}}), Status::degenerate);
   EXPECT_EQ(status_of({{0, 0}, {1, nan}, {1, 1}}), Status::not_finite);
   EXPECT_EQ(status_of({{0, 0}, {1, 0}, {-inf, 1}}), Status::not_finite);
-  EXPECT_EQ(status_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), Status::not_simple);           // bow-tie
-  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), Status::not_simple);   // touch
-  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}), Status::not_simple);   // spike
+  EXPECT_EQ(status_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), Status::not_simple);          // bow-tie
+  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {4, 2}, {2, 0}, {0, 2}}), Status::not_simple);  // touch
+  EXPECT_EQ(status_of({{0, 0}, {4, 0}, {6, 0}, {4, 0}, {4, 4}}), Status::not_simple);  // spike
   EXPECT_EQ(status_of({{0, 0}, {2, 0}, {2, 2}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}),
             Status::not_simple);
   EXPECT_NE(message_of({{0, 0}, {1, nan}, {1, 1}}).find("the y coordinate of vertex 1 is nan"),

@@ -148,8 +148,8 @@ void expect_width_is_enough(int magnitude_bits, Random& random) {
     grid.include(s);
     ASSERT_LE(2 * grid.bits() + 4, magnitude_bits);
     const auto value = [&]<class I>() {
-      return sign(gcv::cross(vector_between<I>(grid, s.from, s.to),
-                             vector_between<I>(grid, s.origin, p)));
+      return sign(
+          gcv::cross(vector_between<I>(grid, s.from, s.to), vector_between<I>(grid, s.origin, p)));
     };
     ASSERT_EQ(value.template operator()<Integer>(), value.template operator()<BigInteger>());
   }

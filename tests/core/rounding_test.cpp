@@ -52,8 +52,8 @@ TEST(NearestDouble, IsNearest) {
     if (k % 2 == 0) {
       n = -n;
     }
-    const int exponent = k % 4 == 0 ? test::uniform(random, -1140, -1000)
-                                    : test::uniform(random, -200, 200);
+    const int exponent =
+        k % 4 == 0 ? test::uniform(random, -1140, -1000) : test::uniform(random, -200, 200);
     const Rational exact = Rational(n) / Rational(w) * power_of_two(exponent);
     const RoundedNumber by_128 = nearest_double(Int128{n}, Int128{w}, exponent);
     const RoundedNumber by_256 = nearest_double(Int256{n}, Int256{w}, exponent);
@@ -82,8 +82,8 @@ std::pair<Rational, Rational> exact_point(const ExactRing& ring, std::size_t k) 
 }
 
 OuterFace sum_of(const Ring& a, const Ring& b, const Point& shift) {
-  return minkowski_sum(std::make_shared<Polygon>(make_polygon(a, "a")),
-                       std::make_shared<Polygon>(make_polygon(b, "b")), shift);
+  return minkowski_sum({std::make_shared<Polygon>(make_polygon(a, "a")), "a"},
+                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, shift);
 }
 
 TEST(Rounding, IsNearestWithACertifiedBound) {

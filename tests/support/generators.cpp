@@ -17,9 +17,8 @@ namespace {
 
 bool has_area(const Ring& ring) {
   Tally tally;
-  return std::any_of(ring.begin() + 2, ring.end(), [&](const Point& p) {
-    return orientation(ring[0], ring[1], p, tally) != 0;
-  });
+  return std::any_of(ring.begin() + 2, ring.end(),
+                     [&](const Point& p) { return orientation(ring[0], ring[1], p, tally) != 0; });
 }
 
 bool has_spike(const Ring& ring) {
