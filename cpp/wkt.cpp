@@ -14,6 +14,7 @@ namespace gcv {
 namespace {
 
 bool is_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r'); }
+bool is_letter(int c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 char to_upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 class Parser {
@@ -43,12 +44,18 @@ class Parser {
                   expected);
     }
     const auto byte = static_cast<unsigned char>(text_[at_]);
-    if (byte > ' ' && byte < 0x7f) {
-      throw Error(Status::parse, "%s: byte %zu: expected %s, found '%c'", name_, at_, expected,
-                  byte);
+    if (byte <= ' ' || byte >= 0x7f) {
+      throw Error(Status::parse, "%s: byte %zu: expected %s, found byte 0x%02x", name_, at_,
+                  expected, byte);
     }
-    throw Error(Status::parse, "%s: byte %zu: expected %s, found byte 0x%02x", name_, at_, expected,
-                byte);
+    constexpr std::size_t longest = 20;
+    std::size_t length = 1;
+    while (length < longest && at_ + length < text_.size() && is_letter(byte) &&
+           is_letter(text_[at_ + length])) {
+      ++length;
+    }
+    throw Error(Status::parse, "%s: byte %zu: expected %s, found '%.*s'", name_, at_, expected,
+                static_cast<int>(length), text_.data() + at_);
   }
 
   void skip_space() {

@@ -26,9 +26,12 @@ reference::FractionRing walked(const Polygon& a, const Polygon& b) {
   Tally tally;
   const Operands operands{a, b, merge_directions(a, b, tally)};
   Walk walk = walk_outer_face(operands, tally);
-  const ExactRing ring{
-      std::make_shared<Polygon>(a), std::make_shared<Polygon>(b), {0, 0},
-      std::move(walk.vertices),     std::move(walk.arriving),     std::move(walk.leaving)};
+  const ExactRing ring{{std::make_shared<Polygon>(a), "a"},
+                       {std::make_shared<Polygon>(b), "b"},
+                       {0, 0},
+                       std::move(walk.vertices),
+                       std::move(walk.arriving),
+                       std::move(walk.leaving)};
   reference::FractionRing fractions;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     fractions.push_back(exact_vertex(ring, k));

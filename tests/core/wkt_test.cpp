@@ -61,6 +61,7 @@ TEST(Wkt, Refuses) {
   }
   EXPECT_EQ(status_of(" polygon empty "), Status::degenerate);
   EXPECT_EQ(message_of("POLYGON ((0 0, 1 z))"), "polygon: byte 17: expected a number, found 'z'");
+  EXPECT_EQ(message_of("POINT (1 2)"), "polygon: byte 0: expected POLYGON, found 'POINT'");
   EXPECT_EQ(message_of("POLYGON ((0 0, 1 "),
             "polygon: byte 17: expected a number, but the text ends");
 }

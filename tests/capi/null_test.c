@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * NULL for every pointer of every function, one by one: refused by a message that names
+ * the parameter, and with no output touched.
+ */
+#include <ctype.h>
+
+#include "handles.h"
+
+#define REFUSES(parameter, call)                              \
+  do {                                                        \
+    CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, call);                \
+    CHECK(has_word(gcv_last_error_message(), parameter));     \
+  } while (0)
+
+static int has_word(const char *text, const char *word) {
+  const size_t length = strlen(word);
+  const char *at = text;
+  for (; (at = strstr(at, word)) != NULL; ++at) {
+    const int starts = at == text || !isalnum((unsigned char)at[-1]);
+    if (starts && !isalnum((unsigned char)at[length])) return 1;
+  }
+  return 0;
+}
+
+/* Outputs hold these before the calls, and must hold them after. */
+static char nowhere;
+static const double UNTOUCHED = -12345.5;
+#define UNTOUCHED_HANDLE ((void *)&nowhere)
+static const size_t UNTOUCHED_COUNT = 4711;
+
+static void polygons(const gcv_polygon *polygon) {
+  const double xy[] = {0, 0, 1, 0, 0, 1};
+  gcv_polygon *out = UNTOUCHED_HANDLE;
+  double vertices[6] = {UNTOUCHED}, area = UNTOUCHED, bounds[4] = {UNTOUCHED};
+  size_t count = UNTOUCHED_COUNT, required = 0;
+
+  REFUSES("xy", gcv_polygon_create(NULL, 3, 0, &out));
+  REFUSES("xy", gcv_polygon_create(NULL, 0, 0, &out));
+  REFUSES("out", gcv_polygon_create(xy, 3, 0, NULL));
+  REFUSES("text", gcv_polygon_create_wkt(NULL, 5, &out));
+  REFUSES("text", gcv_polygon_create_wkt(NULL, 0, &out));
+  REFUSES("out", gcv_polygon_create_wkt("POLYGON ((0 0, 1 0, 0 1))", 25, NULL));
+  REFUSES("polygon", gcv_polygon_vertex_count(NULL, &count));
+  REFUSES("out", gcv_polygon_vertex_count(polygon, NULL));
+  REFUSES("polygon", gcv_polygon_vertices(NULL, vertices, 3, &required));
+  REFUSES("required", gcv_polygon_vertices(polygon, vertices, 3, NULL));
+  REFUSES("required", gcv_polygon_vertices(polygon, NULL, 0, NULL));
+  REFUSES("polygon", gcv_polygon_area(NULL, &area));
+  REFUSES("out", gcv_polygon_area(polygon, NULL));
+  REFUSES("polygon", gcv_polygon_bounds(NULL, bounds));
+  REFUSES("out", gcv_polygon_bounds(polygon, NULL));
+
+  CHECK(out == UNTOUCHED_HANDLE && count == UNTOUCHED_COUNT);
+  CHECK(vertices[0] == UNTOUCHED && area == UNTOUCHED && bounds[0] == UNTOUCHED);
+}
+
+static void sums(const gcv_polygon *a, const gcv_polygon *b) {
+  const double point[2] = {0, 0};
+  gcv_outer_face *out = UNTOUCHED_HANDLE;
+  gcv_superset *superset = UNTOUCHED_HANDLE;
+
+  REFUSES("a", gcv_minkowski_sum(NULL, b, NULL, &out));
+  REFUSES("b", gcv_minkowski_sum(a, NULL, NULL, &out));
+  REFUSES("out", gcv_minkowski_sum(a, b, NULL, NULL));
+  REFUSES("fixed", gcv_no_fit_polygon(NULL, b, point, NULL, &out));
+  REFUSES("moving", gcv_no_fit_polygon(a, NULL, point, NULL, &out));
+  REFUSES("reference", gcv_no_fit_polygon(a, b, NULL, NULL, &out));
+  REFUSES("out", gcv_no_fit_polygon(a, b, point, NULL, NULL));
+  REFUSES("a", gcv_entrance_block(NULL, b, point, NULL, &out));
+  REFUSES("b", gcv_entrance_block(a, NULL, point, NULL, &out));
+  REFUSES("a0", gcv_entrance_block(a, b, NULL, NULL, &out));
+  REFUSES("out", gcv_entrance_block(a, b, point, NULL, NULL));
+  REFUSES("a", gcv_superset_create(NULL, b, &superset));
+  REFUSES("b", gcv_superset_create(a, NULL, &superset));
+  REFUSES("out", gcv_superset_create(a, b, NULL));
+
+  CHECK(out == UNTOUCHED_HANDLE && superset == UNTOUCHED_HANDLE);
+}
+
+static void faces(const gcv_outer_face *face) {
+  double xy[8] = {UNTOUCHED}, number = UNTOUCHED;
+  size_t count = UNTOUCHED_COUNT, required = 0;
+  char text[256] = "untouched";
+  gcv_edge_source sources[4] = {{-1, 0, 0}};
+  gcv_polygon *polygon = UNTOUCHED_HANDLE;
+  gcv_stats stats = {sizeof(gcv_stats), 77, 0, 0, 0, 0, 0};
+
+  REFUSES("face", gcv_outer_face_vertex_count(NULL, &count));
+  REFUSES("out", gcv_outer_face_vertex_count(face, NULL));
+  REFUSES("face", gcv_outer_face_vertices(NULL, xy, 4, &required));
+  REFUSES("required", gcv_outer_face_vertices(face, xy, 4, NULL));
+  REFUSES("face", gcv_outer_face_exact_vertex_count(NULL, &count));
+  REFUSES("out", gcv_outer_face_exact_vertex_count(face, NULL));
+  REFUSES("face", gcv_outer_face_exact_vertex(NULL, 0, text, sizeof text, &required));
+  REFUSES("required", gcv_outer_face_exact_vertex(face, 0, text, sizeof text, NULL));
+  REFUSES("face", gcv_outer_face_edge_sources(NULL, sources, 4, &required));
+  REFUSES("required", gcv_outer_face_edge_sources(face, sources, 4, NULL));
+  REFUSES("face", gcv_outer_face_error_bound(NULL, &number));
+  REFUSES("out", gcv_outer_face_error_bound(face, NULL));
+  REFUSES("face", gcv_outer_face_area(NULL, &number));
+  REFUSES("out", gcv_outer_face_area(face, NULL));
+  REFUSES("face", gcv_outer_face_wkt(NULL, text, sizeof text, &required));
+  REFUSES("required", gcv_outer_face_wkt(face, text, sizeof text, NULL));
+  REFUSES("face", gcv_outer_face_polygon(NULL, &polygon));
+  REFUSES("out", gcv_outer_face_polygon(face, NULL));
+  REFUSES("face", gcv_outer_face_stats(NULL, &stats));
+  REFUSES("out", gcv_outer_face_stats(face, NULL));
+
+  CHECK(xy[0] == UNTOUCHED && number == UNTOUCHED && count == UNTOUCHED_COUNT);
+  CHECK(strcmp(text, "untouched") == 0 && sources[0].kind == -1 && stats.walk_steps == 77);
+  CHECK(polygon == UNTOUCHED_HANDLE);
+}
+
+static void supersets(const gcv_superset *superset) {
+  gcv_superset_edge edges[8] = {{0}};
+  size_t required = 0;
+  edges[0].x0 = UNTOUCHED;
+  REFUSES("superset", gcv_superset_edges(NULL, edges, 8, &required));
+  REFUSES("required", gcv_superset_edges(superset, edges, 8, NULL));
+  CHECK(edges[0].x0 == UNTOUCHED);
+}
+
+static void allowed(void) {
+  gcv_options_init(NULL);
+  gcv_polygon_destroy(NULL);
+  gcv_outer_face_destroy(NULL);
+  gcv_superset_destroy(NULL);
+  CHECK(strcmp(gcv_last_error_message(), "") == 0);
+}
+
+int main(void) {
+  gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  gcv_outer_face *face = sum_of(square, square);
+  gcv_superset *superset = NULL;
+  CHECK_OK(gcv_superset_create(square, square, &superset));
+
+  allowed();
+  polygons(square);
+  sums(square, square);
+  faces(face);
+  supersets(superset);
+
+  gcv_superset_destroy(superset);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(square);
+  return check_failures != 0;
+}
