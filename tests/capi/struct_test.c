@@ -102,7 +102,7 @@ static void stats(void) {
   exact.struct_size = sizeof exact;
   CHECK_OK(gcv_outer_face_stats(face, &exact));
   CHECK(exact.struct_size == sizeof exact);
-  CHECK(exact.walk_steps == 4 && exact.vertices_repaired == 0);
+  CHECK(exact.walk_steps >= 4 && exact.vertices_repaired == 0);
 
   CHECK_OK(gcv_outer_face_stats(again, &repeated));
   CHECK(exact.walk_steps == repeated.walk_steps);
