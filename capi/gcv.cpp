@@ -66,9 +66,9 @@ std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_
 }
 
 // The options that this version knows, from a struct of any version.
-void check_options(const gcv_options* options) {
+gcv::Options read_options(const gcv_options* options) {
   if (options == nullptr) {
-    return;
+    return {};
   }
   const std::uint32_t size = options->struct_size;
   if (size < sizeof(gcv_options)) {
@@ -85,14 +85,16 @@ void check_options(const gcv_options* options) {
                   k, size);
     }
   }
-  if (options->rounding != GCV_ROUND_NEAREST) {
-    throw Error(Status::invalid_argument, "options: rounding is %d, only %d (nearest) is known",
-                options->rounding, static_cast<int>(GCV_ROUND_NEAREST));
+  if (options->rounding != GCV_ROUND_NEAREST && options->rounding != GCV_ROUND_OUTWARD) {
+    throw Error(Status::invalid_argument, "options: rounding is %d, neither %d nor %d",
+                options->rounding, static_cast<int>(GCV_ROUND_NEAREST),
+                static_cast<int>(GCV_ROUND_OUTWARD));
   }
   if (!(options->tolerance == 0)) {
     throw Error(Status::invalid_argument, "options: tolerance is %g, only 0 is known",
                 options->tolerance);
   }
+  return {static_cast<gcv::Rounding>(options->rounding)};
 }
 
 Point read_reference(const double reference[2], const char* name) {
@@ -255,8 +257,8 @@ gcv_status gcv_minkowski_sum(const gcv_polygon* a, const gcv_polygon* b, const g
     require(a, "a");
     require(b, "b");
     require(out, "out");
-    check_options(options);
-    *out = new gcv_outer_face{gcv::minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0})};
+    const gcv::Options known = read_options(options);
+    *out = new gcv_outer_face{gcv::minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0}, known)};
   });
 }
 
@@ -267,10 +269,10 @@ gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* movin
     require(fixed, "fixed");
     require(moving, "moving");
     require(out, "out");
-    check_options(options);
+    const gcv::Options known = read_options(options);
     const Point shift = read_reference(reference, "reference");
-    *out = new gcv_outer_face{
-        gcv::minkowski_sum(operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift)};
+    *out = new gcv_outer_face{gcv::minkowski_sum(
+        operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift, known)};
   });
 }
 
@@ -280,10 +282,10 @@ gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const 
     require(a, "a");
     require(b, "b");
     require(out, "out");
-    check_options(options);
+    const gcv::Options known = read_options(options);
     const Point shift = read_reference(a0, "a0");
-    *out =
-        new gcv_outer_face{gcv::minkowski_sum(reflected_operand(a, "a"), operand(b, "b"), shift)};
+    *out = new gcv_outer_face{
+        gcv::minkowski_sum(reflected_operand(a, "a"), operand(b, "b"), shift, known)};
   });
 }
 
@@ -384,7 +386,7 @@ gcv_status gcv_outer_face_stats(const gcv_outer_face* face, gcv_stats* out) {
                           counts.predicates.filtered,
                           counts.predicates.fixed_width,
                           counts.predicates.rational,
-                          0};
+                          face->face.rounded.vertices_repaired};
     std::memset(out, 0, size);
     std::memcpy(out, &stats, sizeof stats);
   });

@@ -20,6 +20,31 @@ std::string fraction(BigInteger n, BigInteger w, int exponent) {
 
 }  // namespace
 
+// For a crossing (x / w, y / w), the sign of d x ((x, y) - w o). With b the grid's bits the
+// second factor is below 2^(3b+7), so the result is below 2^(4b+9).
+int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
+  const SumEdge line = coordinates(*ring.a.polygon, *ring.b.polygon, ring.leaving[edge]);
+  const RingVertex& v = ring.vertices[vertex];
+  if (v.is_sum) {
+    return side(line, {ring.a.polygon->vertices[v.i], ring.b.polygon->vertices[v.j]}, tally);
+  }
+  const SumEdge s = coordinates(*ring.a.polygon, *ring.b.polygon, ring.arriving[vertex]);
+  const SumEdge t = coordinates(*ring.a.polygon, *ring.b.polygon, ring.leaving[vertex]);
+  Grid grid;
+  grid.include(line);
+  grid.include(s);
+  grid.include(t);
+  return with_integers(4 * grid.bits() + 9, tally, [&]<class Integer>() {
+    const auto p = crossing<Integer>(grid, s, t, {0, 0});
+    const auto sum = [&](double x, double y) {
+      return Integer(grid.integer<Integer>(x) + grid.integer<Integer>(y));
+    };
+    const Vector<Integer> offset{p.x - p.w * sum(line.origin.a.x, line.origin.b.x),
+                                 p.y - p.w * sum(line.origin.a.y, line.origin.b.y)};
+    return sign(cross(vector_between<Integer>(grid, line.from, line.to), offset));
+  });
+}
+
 std::string exact_vertex(const ExactRing& ring, std::size_t k) {
   const ExactVertex vertex(ring, k);
   const auto p = vertex.homogeneous<BigInteger>();

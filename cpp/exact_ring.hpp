@@ -32,6 +32,10 @@ struct ExactRing {
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
 };
 
+// On which side of the line of ring edge `edge` does vertex `vertex` lie, exactly: 1 left,
+// -1 right, 0 on it?
+int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally);
+
 // Vertex k as "p/q r/s", in lowest terms with positive denominators.
 std::string exact_vertex(const ExactRing& ring, std::size_t k);
 

@@ -6,6 +6,7 @@
 #include "contributing_vertices.hpp"
 #include "directions.hpp"
 #include "outer_face.hpp"
+#include "outward.hpp"
 
 namespace gcv {
 
@@ -20,7 +21,8 @@ EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const 
 
 }  // namespace
 
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift) {
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
+                        const Options& options) {
   const Polygon& pa = *a.polygon;
   const Polygon& pb = *b.polygon;
   OuterFace face;
@@ -35,7 +37,8 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift) 
   }
   face.exact = {
       a, b, shift, std::move(walk.vertices), std::move(walk.arriving), std::move(walk.leaving)};
-  face.rounded = round_to_nearest(face.exact, tally);
+  face.rounded = options.rounding == Rounding::nearest ? round_to_nearest(face.exact, tally)
+                                                       : round_outward(face.exact, tally);
   return face;
 }
 

@@ -29,8 +29,16 @@ struct OuterFace {
   Counts counts;
 };
 
+// The values are those of gcv_options.rounding.
+enum class Rounding : std::int32_t { nearest = 0, outward = 1 };
+
+struct Options {
+  Rounding rounding = Rounding::nearest;
+};
+
 // The outer face of a + b + shift. Throws Error: range, internal.
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift);
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
+                        const Options& options);
 
 // The explicit superset of a + b, its sources in the callers' numbers.
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);

@@ -4,11 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 #include "error.hpp"
 #include "exact_coordinates.hpp"
+#include "repair.hpp"
 #include "simplicity.hpp"
 #include "to_double.hpp"
+#include "untangle.hpp"
 
 namespace gcv {
 
@@ -53,19 +57,6 @@ double rounding_error(const RoundedNumber& number) {
   return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
 }
 
-// At least sqrt(x^2 + y^2): five roundings, each below u, are made good. Where the
-// smaller one is lost beside the larger, so is its share of the result.
-double length_bound(double x, double y) {
-  const double longer = std::max(x, y);
-  const double shorter = std::min(x, y);
-  if (shorter == 0) {
-    return longer;
-  }
-  const double ratio = shorter / longer;
-  const double length = longer * std::sqrt(1 + ratio * ratio);
-  return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
-}
-
 void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
   const bool x_is_finite = std::isfinite(vertex.x.value);
   if (x_is_finite && std::isfinite(vertex.y.value)) {
@@ -83,27 +74,98 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
       ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
 }
 
+// How many places are no vertices of the ring.
+std::uint64_t vertices_lost(const std::vector<Point>& places, std::vector<Point> ring) {
+  std::sort(ring.begin(), ring.end(), lexicographically_less);
+  return static_cast<std::uint64_t>(
+      std::count_if(places.begin(), places.end(), [&](const Point& place) {
+        return !std::binary_search(ring.begin(), ring.end(), place, lexicographically_less);
+      }));
+}
+
 }  // namespace
+
+// Five roundings, each below u, are made good. Where the smaller number is lost beside the
+// larger, so is its share of the result.
+double length_bound(double x, double y) {
+  const double longer = std::max(std::abs(x), std::abs(y));
+  const double shorter = std::min(std::abs(x), std::abs(y));
+  if (shorter == 0) {
+    return longer;
+  }
+  const double ratio = shorter / longer;
+  const double length = longer * std::sqrt(1 + ratio * ratio);
+  return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
+}
+
+double unit_in_last_place(const Point& p) {
+  const double size = std::max(std::abs(p.x), std::abs(p.y));
+  const double next = std::nextafter(size, HUGE_VAL);
+  return std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
+}
+
+double sum_bound(double x, double y) {
+  return x == 0 || y == 0 ? x + y : std::nextafter(x + y, HUGE_VAL);
+}
+
+std::vector<Point> ring_through(const std::vector<Point>& places) {
+  std::vector<Point> ring = snap(places).vertices;
+  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), lexicographically_less),
+              ring.end());
+  return ring;
+}
+
+Placement place_nearest(const ExactRing& ring, Tally& tally) {
+  Placement placement;
+  placement.places.reserve(ring.size());
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const RoundedVertex vertex = rounded_vertex(ring, k, tally);
+    check_finite(ring, k, vertex);
+    placement.places.push_back({vertex.x.value, vertex.y.value});
+    placement.error_bound = std::max(
+        placement.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
+  }
+  return placement;
+}
+
+std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally) {
+  const Placement nearest = place_nearest(ring, tally);
+  const std::vector<Point> snapped = snap(nearest.places).vertices;
+  if (snapped.size() >= 3 && !find_conflict(snapped)) {
+    return nearest;
+  }
+  std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);
+  if (!separated) {
+    return std::nullopt;
+  }
+  Placement placement{std::move(*separated), 0, 0};
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point& p = nearest.places[k];
+    const Point& q = placement.places[k];
+    if (!(p == q)) {
+      ++placement.repaired;
+      placement.error_bound = std::max(placement.error_bound, length_bound(q.x - p.x, q.y - p.y));
+    }
+  }
+  placement.error_bound = sum_bound(placement.error_bound, nearest.error_bound);
+  return placement;
+}
 
 // Moving the vertices of a ring by at most d moves each point of it by at most d, so the
 // rings are within the largest error of a vertex of each other.
 RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally) {
+  if (const std::optional<Placement> placement = place_simply(ring, tally)) {
+    return {ring_through(placement->places), placement->error_bound, placement->repaired};
+  }
+  const Placement nearest = place_nearest(ring, tally);
+  const std::optional<UntangledRing> untangled = untangle(snap(nearest.places).vertices, tally);
+  if (!untangled) {
+    throw Error(Status::range, "the outer face is too small for doubles: rounding leaves no area");
+  }
   RoundedRing rounded;
-  rounded.vertices.reserve(ring.size());
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const RoundedVertex vertex = rounded_vertex(ring, k, tally);
-    check_finite(ring, k, vertex);
-    rounded.vertices.push_back({vertex.x.value, vertex.y.value});
-    rounded.error_bound = std::max(
-        rounded.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
-  }
-  if (const auto conflict = find_conflict(rounded.vertices)) {
-    throw Error(Status::range,
-                "the doubles nearest to the vertices of the outer face do not form a simple ring: "
-                "edges %zu and %zu meet near (%.17g, %.17g)",
-                conflict->first, conflict->second, rounded.vertices[conflict->first].x,
-                rounded.vertices[conflict->first].y);
-  }
+  rounded.vertices = ring_through(untangled->vertices);
+  rounded.error_bound = sum_bound(untangled->error_bound, nearest.error_bound);
+  rounded.vertices_repaired = vertices_lost(nearest.places, rounded.vertices);
   return rounded;
 }
 

@@ -3,20 +3,55 @@
 // From the exact ring to a ring of doubles.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "exact_ring.hpp"
 
 namespace gcv {
 
+// Places in doubles for the vertices of an exact ring, one each; vertices that fall
+// together have the same place.
+struct Placement {
+  std::vector<Point> places;
+  double error_bound = 0;      // no vertex is further than this from its place
+  std::uint64_t repaired = 0;  // vertices whose place is not the nearest one
+};
+
+// The nearest doubles, ties to even, for each coordinate. Throws Error: range, where one is
+// not finite.
+Placement place_nearest(const ExactRing& ring, Tally& tally);
+
+// The nearest doubles; where the ring through them is not simple, vertices in the way are
+// moved apart (repair.hpp). Nothing where that does not make it simple. Throws as
+// place_nearest.
+std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally);
+
 struct RoundedRing {
+  // A simple ring, counter-clockwise, from its lexicographically smallest vertex.
   std::vector<Point> vertices;
   // No point of either ring is further than this from the other ring.
   double error_bound = 0;
+  std::uint64_t vertices_repaired = 0;
 };
 
-// Each coordinate is the nearest double, ties to even. Throws Error: range, where one is
-// not finite, or where the rounded ring is not simple.
+// The ring through places that are as near as possible. Where no few units in the last
+// place make it simple, because features are smaller than those, the outer face of the
+// nearest one, without what it cuts off (untangle.hpp). Throws Error: range, where a
+// coordinate is not finite, or where nothing with an area is left.
 RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally);
+
+// The ring through the places, each once.
+std::vector<Point> ring_through(const std::vector<Point>& places);
+
+// The distance from |x| to the next double, for the larger coordinate of the point.
+double unit_in_last_place(const Point& p);
+
+// At least sqrt(x^2 + y^2).
+double length_bound(double x, double y);
+
+// At least x + y, for numbers that are not negative.
+double sum_bound(double x, double y);
 
 }  // namespace gcv

@@ -12,8 +12,10 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <utility>
 #include <vector>
 
+#include "chain_tree.hpp"
 #include "predicates.hpp"
 
 namespace gcv {
@@ -21,6 +23,23 @@ namespace gcv {
 namespace {
 
 using Edge = std::uint32_t;
+
+// Are the segments ab and cd of one line apart?
+bool disjoint_on_a_line(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto& [ab_min, ab_max] = std::minmax(a, b, lexicographically_less);
+  const auto& [cd_min, cd_max] = std::minmax(c, d, lexicographically_less);
+  return lexicographically_less(ab_max, cd_min) || lexicographically_less(cd_max, ab_min);
+}
+
+// Have the closed segments ab and cd a point in common?
+bool segments_meet(const Point& a, const Point& b, const Point& c, const Point& d, Tally& tally) {
+  const int c_side = orientation(a, b, c, tally);
+  const int d_side = orientation(a, b, d, tally);
+  if (c_side == 0 && d_side == 0) {
+    return !disjoint_on_a_line(a, b, c, d);
+  }
+  return c_side * d_side <= 0 && orientation(c, d, a, tally) * orientation(c, d, b, tally) <= 0;
+}
 
 class Sweep {
  public:
@@ -93,20 +112,10 @@ class Sweep {
     return turn > 0;
   }
 
+  // Neighbours meet in their common vertex, and the order of the edges finds the rest.
   [[nodiscard]] bool meet(Edge e, Edge f) {
-    if (next(e) == f || next(f) == e) {
-      return false;
-    }
-    const Point& a = left_end(e);
-    const Point& b = right_end(e);
-    const Point& c = left_end(f);
-    const Point& d = right_end(f);
-    const int c_side = orientation(a, b, c, tally_);
-    const int d_side = orientation(a, b, d, tally_);
-    if (c_side == 0 && d_side == 0) {
-      return !lexicographically_less(b, c) && !lexicographically_less(d, a);
-    }
-    return c_side * d_side <= 0 && orientation(c, d, a, tally_) * orientation(c, d, b, tally_) <= 0;
+    return next(e) != f && next(f) != e &&
+           segments_meet(ring_[e], ring_[next(e)], ring_[f], ring_[next(f)], tally_);
   }
 
   void test_with_lower_neighbour(Place place) {
@@ -151,8 +160,100 @@ class Sweep {
   Tally tally_;
 };
 
+bool overlap(const Box& a, const Box& b) {
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}
+
+// Descends the tree of boxes against itself, to all pairs of edges that meet.
+class PairSearch {
+ public:
+  PairSearch(std::span<const Point> ring, const ChainTree& tree) : ring_(ring), tree_(tree) {}
+
+  std::vector<Conflict> run() {
+    within(tree_.root());
+    return std::move(conflicts_);
+  }
+
+ private:
+  using Node = ChainTree::Node;
+
+  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == ring_.size() ? 0 : i + 1; }
+
+  void within(Node node) {
+    if (node.level == 0) {
+      for (Edge e = ChainTree::first_edge(node.k); e < tree_.last_edge(node.k); ++e) {
+        for (Edge f = e + 1; f < tree_.last_edge(node.k); ++f) {
+          test(e, f);
+        }
+      }
+      return;
+    }
+    const Node left{node.level - 1, 2 * node.k};
+    within(left);
+    if (tree_.has_right_child(node)) {
+      const Node right{node.level - 1, 2 * node.k + 1};
+      within(right);
+      between(left, right);
+    }
+  }
+
+  // All edges below one node with all edges below another on the same level.
+  void between(Node first, Node second) {
+    if (!overlap(tree_.boxes[tree_.index(first)], tree_.boxes[tree_.index(second)])) {
+      return;
+    }
+    if (first.level == 0) {
+      for (Edge e = ChainTree::first_edge(first.k); e < tree_.last_edge(first.k); ++e) {
+        for (Edge f = ChainTree::first_edge(second.k); f < tree_.last_edge(second.k); ++f) {
+          test(e, f);
+        }
+      }
+      return;
+    }
+    for (Edge i = 0; i < 2; ++i) {
+      for (Edge j = 0; j < 2; ++j) {
+        if ((i == 0 || tree_.has_right_child(first)) && (j == 0 || tree_.has_right_child(second))) {
+          between({first.level - 1, 2 * first.k + i}, {second.level - 1, 2 * second.k + j});
+        }
+      }
+    }
+  }
+
+  void test(Edge e, Edge f) {
+    if (conflicting(e, f)) {
+      conflicts_.push_back({e, f});
+    }
+  }
+
+  [[nodiscard]] bool conflicting(Edge e, Edge f) {
+    if (next(e) == f) {
+      return fold_back(ring_[e], ring_[f], ring_[next(f)]);
+    }
+    if (next(f) == e) {
+      return fold_back(ring_[f], ring_[e], ring_[next(e)]);
+    }
+    return segments_meet(ring_[e], ring_[next(e)], ring_[f], ring_[next(f)], tally_);
+  }
+
+  // Do the neighbours pq and qr overlap?
+  [[nodiscard]] bool fold_back(const Point& p, const Point& q, const Point& r) {
+    return orientation(p, q, r, tally_) == 0 &&
+           lexicographically_less(p, q) != lexicographically_less(q, r);
+  }
+
+  std::span<const Point> ring_;
+  const ChainTree& tree_;
+  std::vector<Conflict> conflicts_;
+  Tally tally_;
+};
+
 }  // namespace
 
 std::optional<Conflict> find_conflict(std::span<const Point> ring) { return Sweep(ring).run(); }
+
+std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
+  const ChainTree tree = build_chain_tree(ring);
+  return PairSearch(ring, tree).run();
+}
 
 }  // namespace gcv

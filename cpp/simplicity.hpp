@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "point.hpp"
 
@@ -22,5 +23,8 @@ struct Conflict {
 // vertex may be a spike (an edge turning back on the one before); collinear vertices
 // are allowed. O(n log n).
 std::optional<Conflict> find_conflict(std::span<const Point> ring);
+
+// All such pairs, by a tree of boxes: fast where edges that are near each other are few.
+std::vector<Conflict> find_all_conflicts(std::span<const Point> ring);
 
 }  // namespace gcv

@@ -24,8 +24,7 @@ static gcv_status edge_sources(const void *handle, void *out, size_t capacity, s
 static gcv_status wkt(const void *handle, void *out, size_t capacity, size_t *required) {
   return gcv_outer_face_wkt(handle, out, capacity, required);
 }
-static gcv_status superset_edges(const void *handle, void *out, size_t capacity,
-                                 size_t *required) {
+static gcv_status superset_edges(const void *handle, void *out, size_t capacity, size_t *required) {
   return gcv_superset_edges(handle, out, capacity, required);
 }
 

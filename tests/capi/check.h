@@ -14,8 +14,7 @@
 #define SKIPPED 77
 
 #define CHECK(condition) check((condition) != 0, __FILE__, __LINE__, #condition)
-#define CHECK_STATUS(expected, call) \
-  check_status(expected, call, "", __FILE__, __LINE__, #call)
+#define CHECK_STATUS(expected, call) check_status(expected, call, "", __FILE__, __LINE__, #call)
 #define CHECK_OK(call) CHECK_STATUS(GCV_OK, call)
 /* The call gives the status, and `part` occurs in the message. */
 #define CHECK_REFUSED(expected, part, call) \
@@ -37,8 +36,8 @@ static inline int check_status(gcv_status expected, gcv_status status, const cha
   const int holds = status == expected && strstr(gcv_last_error_message(), part) != NULL;
   if (!holds) {
     fprintf(stderr, "%s:%d: %s\n  gave %s (%d), expected %s \"...%s...\"\n  last error: \"%s\"\n",
-            file, line, text, gcv_status_name(status), (int)status, gcv_status_name(expected),
-            part, gcv_last_error_message());
+            file, line, text, gcv_status_name(status), (int)status, gcv_status_name(expected), part,
+            gcv_last_error_message());
     ++check_failures;
   }
   return holds;

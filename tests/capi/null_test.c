@@ -7,10 +7,10 @@
 
 #include "handles.h"
 
-#define REFUSES(parameter, call)                              \
-  do {                                                        \
-    CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, call);                \
-    CHECK(has_word(gcv_last_error_message(), parameter));     \
+#define REFUSES(parameter, call)                          \
+  do {                                                    \
+    CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, call);            \
+    CHECK(has_word(gcv_last_error_message(), parameter)); \
   } while (0)
 
 static int has_word(const char *text, const char *word) {

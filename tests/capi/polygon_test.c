@@ -19,12 +19,12 @@ static void is_the_crown(const double *xy, size_t count) {
 
 static void normalisation(void) {
   is_the_crown(RING(0, 0, 4, 0, 4, 3, 2, 1, 0, 3));
-  is_the_crown(RING(2, 1, 0, 3, 0, 0, 4, 0, 4, 3));                    /* another start */
-  is_the_crown(RING(0, 3, 2, 1, 4, 3, 4, 0, 0, 0));                    /* clockwise */
-  is_the_crown(RING(0, 0, 4, 0, 4, 3, 2, 1, 0, 3, 0, 0));              /* closed */
-  is_the_crown(RING(2, 1, 4, 3, 4, 0, 0, 0, 0, 3, 2, 1, 2, 1));        /* closed twice */
-  is_the_crown(RING(0, 0, 0, 0, 0, 0, 4, 0, 4, 3, 4, 3, 2, 1, 0, 3));  /* repeated */
-  is_the_crown(RING(1, 0, 3, 0, 4, 0, 4, 2, 4, 3, 2, 1, 1, 2, 0, 3));  /* collinear */
+  is_the_crown(RING(2, 1, 0, 3, 0, 0, 4, 0, 4, 3));                   /* another start */
+  is_the_crown(RING(0, 3, 2, 1, 4, 3, 4, 0, 0, 0));                   /* clockwise */
+  is_the_crown(RING(0, 0, 4, 0, 4, 3, 2, 1, 0, 3, 0, 0));             /* closed */
+  is_the_crown(RING(2, 1, 4, 3, 4, 0, 0, 0, 0, 3, 2, 1, 2, 1));       /* closed twice */
+  is_the_crown(RING(0, 0, 0, 0, 0, 0, 4, 0, 4, 3, 4, 3, 2, 1, 0, 3)); /* repeated */
+  is_the_crown(RING(1, 0, 4, 0, 4, 2, 4, 3, 2, 1, 1, 2, 0, 3, 0, 0)); /* collinear */
   is_the_crown(RING(1, 0, 1, 0, 0, 0, 0, 3, 2, 1, 2, 1, 4, 3, 4, 0, 3, 0, 1, 0));
   is_the_crown(RING(-0.0, -0.0, 4, -0.0, 4, 3, 2, 1, -0.0, 3));
 }
@@ -67,7 +67,8 @@ static void huge_counts(void) {
   gcv_polygon *polygon = NULL;
   size_t k;
   for (k = 0; k < sizeof counts / sizeof *counts; ++k) {
-    CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "count", gcv_polygon_create(xy, counts[k], 0, &polygon));
+    CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "count",
+                  gcv_polygon_create(xy, counts[k], 0, &polygon));
   }
   CHECK(polygon == NULL);
 }
@@ -145,15 +146,15 @@ static void areas(void) {
   area_is(0.5, RING(1e15, 1e15, 1e15 + 1, 1e15, 1e15, 1e15 + 1));
   area_is(0.234375, RING(1e15, -1e15, 1e15 + 0.125, -1e15 + 0.5, 1e15 + 0.375, -1e15 + 1,
                          1e15 - 0.25, -1e15 + 0.75));
-  area_is(5.4140625, RING(1e15 + 0.125, 1e15 + 0.25, 1e15 + 3, 1e15 + 0.5, 1e15 + 1.375,
-                          1e15 + 4.125));
+  area_is(5.4140625,
+          RING(1e15 + 0.125, 1e15 + 0.25, 1e15 + 3, 1e15 + 0.5, 1e15 + 1.375, 1e15 + 4.125));
 
   /* In doubles, 0.195: one unit in the last place too much. */
   area_is(0x1.8f5c28f5c28f5p-3, RING(0.1, 0.2, 0.7, 0.3, 0.4, 0.9));
 
-  /* 2^53 + 1 = 321 * 28059810762433 is a tie, and so is 2^53 + 3 = 385 * 23395218141407.8;
-   * each goes to the even neighbour. */
+  /* Ties between two doubles, 2^53 + 1 and 2^53 + 3, go to the even neighbour. */
   area_is(0x1p53, RING(0, 0, 321, 0, 321, 28059810762433, 0, 28059810762433));
+  area_is(0x1p53 + 4, RING(0, 0, 5, 0, 5, 1801439850948199, 0, 1801439850948199));
 
   /* 2^-1074 is the smallest double; half of it is a tie, and goes to 0. */
   area_is(0x1p-1074, RING(0, 0, 0x1p-537, 0, 0x1p-537, 0x1p-537, 0, 0x1p-537));
@@ -173,8 +174,7 @@ static void areas(void) {
   CHECK(area == -1);
 }
 
-static void bounds_are(double x0, double y0, double x1, double y1, const double *xy,
-                       size_t count) {
+static void bounds_are(double x0, double y0, double x1, double y1, const double *xy, size_t count) {
   gcv_polygon *polygon = polygon_of(xy, count);
   double box[4] = {NAN, NAN, NAN, NAN};
   CHECK_OK(gcv_polygon_bounds(polygon, box));

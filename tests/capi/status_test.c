@@ -11,8 +11,7 @@
 
 static void versions(void) {
   char text[32];
-  snprintf(text, sizeof text, "%d.%d.%d", GCV_VERSION_MAJOR, GCV_VERSION_MINOR,
-           GCV_VERSION_PATCH);
+  snprintf(text, sizeof text, "%d.%d.%d", GCV_VERSION_MAJOR, GCV_VERSION_MINOR, GCV_VERSION_PATCH);
   CHECK(strcmp(gcv_version_string(), text) == 0);
   CHECK(gcv_version_number() ==
         GCV_VERSION_MAJOR * 10000 + GCV_VERSION_MINOR * 100 + GCV_VERSION_PATCH);
@@ -46,7 +45,9 @@ static void status_names(void) {
   }
 }
 
-static void fail_by_null(void) { CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, gcv_polygon_area(NULL, NULL)); }
+static void fail_by_null(void) {
+  CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, gcv_polygon_area(NULL, NULL));
+}
 
 static void fail_by_parsing(const char *text) {
   gcv_polygon *polygon = NULL;

@@ -19,7 +19,7 @@ using test::Ring;
 
 OuterFace sum_of(const Ring& a, const Ring& b) {
   return minkowski_sum({std::make_shared<Polygon>(make_polygon(a, "a")), "a"},
-                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, {0, 0});
+                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, {0, 0}, {});
 }
 
 Ring scaled(Ring ring, double factor) {

@@ -224,10 +224,12 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_bounds(const gcv_polygon *polygon, 
 
 /** How exact coordinates become doubles: values of gcv_options.rounding. */
 enum {
-  /** Each coordinate is the double nearest to the exact one, ties to even. */
+  /** Each coordinate is the double nearest to the exact one, ties to even, save where
+   *  vertices must move further for the ring to be simple: by a few units in the last
+   *  place, apart, so that the thinnest slit stays open. */
   GCV_ROUND_NEAREST = 0,
-  /** The returned region contains the exact one. Refused by this version with
-   *  GCV_ERR_INVALID_ARGUMENT. */
+  /** The returned region contains the exact one, so that a part that is placed on the
+   *  ring never overlaps. Slits thinner than a few units in the last place close. */
   GCV_ROUND_OUTWARD = 1
 };
 
@@ -268,10 +270,11 @@ typedef struct gcv_outer_face gcv_outer_face;
  * @param out      the new outer face, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
  *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
- *         where the doubles nearest to its vertices do not form a simple ring;
+ *         where the result is so small that in doubles it has no area;
  *         GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: the exact ring (gcv_outer_face_exact_vertex) is exact; the doubles of
- * gcv_outer_face_vertices are correctly rounded from it and form a simple ring.
+ * gcv_outer_face_vertices are rounded from it as the options say, and always form a
+ * simple ring.
  * Cost: near-linear in the output for most inputs (the walk visits edges on the
  * outer face only). Threads: any. Source: the paper, sections 3 and 4.3 (walking
  * the outer face). @since 0.1
@@ -336,7 +339,12 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_vertex_count(const gcv_outer_fac
  * @param capacity  in vertices.
  * @param required  the number of vertices.
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
- * Exactness: correctly rounded. Cost: O(n). Threads: any. @since 0.1
+ * Vertices of the exact ring that fall together in doubles are given once, so there
+ * can be fewer vertices than in the exact ring.
+ * Exactness: with GCV_ROUND_NEAREST each coordinate is correctly rounded, save those
+ * of the vertices that gcv_stats.vertices_repaired counts; with GCV_ROUND_OUTWARD the
+ * region contains the exact one; gcv_outer_face_error_bound holds for both. Cost:
+ * O(n). Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_vertices(const gcv_outer_face *face, double *xy,
                                                          size_t capacity, size_t *required);
@@ -405,7 +413,10 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
 
 /**
  * An upper bound on the Hausdorff distance between the returned ring and the exact
- * ring, in input units: 0 where every coordinate is a double.
+ * ring, in input units: 0 where every coordinate is a double, half a unit in the last
+ * place for each coordinate where nothing had to be repaired, and in most other cases
+ * a few units. Where outward rounding closes a slit, what lies behind it counts: the
+ * bound is then as large as the pocket that was closed.
  *
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
  * Exactness: a certified bound, rounded up. Cost: O(1). Threads: any. @since 0.1

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The ring N of nearest places is grown by a square of half width d, which is a Minkowski
+// sum, and the result O is rounded to nearest places again. Let e1 and e2 bound how far
+// the vertices moved in the two roundings. Moving the vertices of a ring by at most e
+// moves its boundary by at most e, and a point that changes sides is passed by it. So
+// every exact point lies within e1 of N, hence in O, and d - e1 away from the boundary of
+// O at least: with e2 < d - e1 it stays inside.
+//
+// The error. A point of the result is within e2 of O, which is within sqrt(2) d of N,
+// which is within e1 of the exact ring. The other way round, a point of N is within
+// sqrt(2) d of O where an edge of O comes from it. The walk meets the edges of N in their
+// order; a stretch of N that it leaves out lies behind a slit that has closed, and no
+// further from the vertex of O where it was left out than its own vertices are.
+#include "outward.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "contributing_vertices.hpp"
+#include "error.hpp"
+#include "outer_face.hpp"
+
+namespace gcv {
+
+namespace {
+
+struct Grown {
+  ExactRing ring;
+  std::optional<Placement> placement;
+};
+
+Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Tally& tally) {
+  const std::vector<Point> square{{-d, -d}, {d, -d}, {d, d}, {-d, d}};
+  const auto growth = std::make_shared<const Polygon>(make_polygon(square, "square"));
+  const Operands operands{*polygon, *growth, merge_directions(*polygon, *growth, tally)};
+  Walk walk = walk_outer_face(operands, tally);
+  Grown grown{{{polygon, "the rounded ring"},
+               {growth, "the square"},
+               {0, 0},
+               std::move(walk.vertices),
+               std::move(walk.arriving),
+               std::move(walk.leaving)},
+              {}};
+  grown.placement = place_simply(grown.ring, tally);
+  return grown;
+}
+
+// At least the distance of p from the segment ab: that to a point near its foot, whose
+// coordinates are off by a few units in the last place at most.
+double distance_bound(const Point& p, const Point& a, const Point& b, double unit) {
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double foot = ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
+  const double t = foot > 0 ? std::min(foot, 1.0) : 0.0;
+  return length_bound(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) + 8 * unit;
+}
+
+// At least the distance of a vertex of N that no edge of O comes from to O as placed.
+double lost_distance(const Grown& grown, double unit) {
+  const Polygon& n = *grown.ring.a.polygon;
+  const std::vector<Point>& places = grown.placement->places;
+  double distance = 0;
+  const auto pass = [&](Index from, Index to, const Point& a, const Point& b) {
+    while (from != to) {
+      from = n.next(from);
+      distance = std::max(distance, distance_bound(n.vertices[from], a, b, unit));
+    }
+  };
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const std::size_t next = k + 1 == places.size() ? 0 : k + 1;
+    pass(grown.ring.arriving[k].i, grown.ring.leaving[k].i, places[k], places[k]);
+    pass(grown.ring.leaving[k].i, grown.ring.arriving[next].i, places[k], places[next]);
+  }
+  return distance;
+}
+
+}  // namespace
+
+RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
+  const RoundedRing nearest = round_to_nearest(ring, tally);
+  if (nearest.error_bound == 0) {
+    return nearest;
+  }
+  double unit = 0;
+  for (const Point& p : nearest.vertices) {
+    unit = std::max(unit, unit_in_last_place(p));
+  }
+  const auto polygon =
+      std::make_shared<const Polygon>(make_polygon(nearest.vertices, "the rounded ring"));
+  for (double d = 2 * unit; d <= 64 * unit; d *= 2) {
+    const Grown grown = grow(polygon, d, tally);
+    if (grown.placement && sum_bound(nearest.error_bound, grown.placement->error_bound) < d) {
+      const double error = std::max(1.5 * d, lost_distance(grown, unit)) + nearest.error_bound +
+                           grown.placement->error_bound;
+      return {ring_through(grown.placement->places),
+              std::nextafter(error * (1 + 0x1p-50), HUGE_VAL),
+              nearest.vertices_repaired + grown.placement->repaired};
+    }
+  }
+  throw Error(Status::range, "no ring of doubles close around the outer face was found");
+}
+
+}  // namespace gcv

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What two exact edges that do not meet have, and their rounded counterparts that do meet
+// have lost, is that an end of one lies on its side of the line of the other: the sign of
+// an orientation. Each such sign is restored by moving that end and that line apart along
+// the normal of the line. Moving walls can bring them onto others; so it goes in rounds.
+#include "repair.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "predicates.hpp"
+#include "rounding.hpp"
+#include "simplicity.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr int rounds = 16;
+constexpr double furthest = 6;  // units in the last place that a vertex may move
+
+class Separator {
+ public:
+  Separator(const ExactRing& exact, const std::vector<Point>& nearest, Tally& tally)
+      : exact_(exact), nearest_(nearest), places_(nearest), moves_(nearest.size()), tally_(tally) {}
+
+  std::optional<std::vector<Point>> run() {
+    for (int round = 0; round < rounds; ++round) {
+      ring_ = snap(places_);
+      if (ring_.vertices.size() < 3) {
+        return std::nullopt;
+      }
+      const std::vector<Conflict> conflicts = find_all_conflicts(ring_.vertices);
+      if (conflicts.empty()) {
+        return places_;
+      }
+      demands_.assign(places_.size(), {0, 0});
+      for (const Conflict& conflict : conflicts) {
+        restore_sides(conflict.first, conflict.second);
+        restore_sides(conflict.second, conflict.first);
+      }
+      move();
+    }
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::size_t next(std::size_t k) const {
+    return k + 1 == ring_.vertices.size() ? 0 : k + 1;
+  }
+
+  // Puts the ends of edge f back on their sides of the line of edge e.
+  void restore_sides(std::size_t e, std::size_t f) {
+    for (const std::size_t end : {f, next(f)}) {
+      if (end != e && end != next(e)) {
+        restore_side(e, end);
+      }
+    }
+  }
+
+  void restore_side(std::size_t e, std::size_t end) {
+    const Point& p = ring_.vertices[e];
+    const Point& q = ring_.vertices[next(e)];
+    const int wanted = exact_side(exact_, ring_.source[e], ring_.source[end], tally_);
+    if (wanted == 0 || orientation(p, q, ring_.vertices[end], tally_) == wanted) {
+      return;
+    }
+    // The unit normal of the line to the wanted side; scaled down first, so that nothing
+    // overflows or underflows.
+    const double size = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+    const double dx = (q.x - p.x) / size;
+    const double dy = (q.y - p.y) / size;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    const Point normal{-wanted * dy / length, wanted * dx / length};
+    demand(end, normal, 1);
+    demand(e, normal, -1);
+    demand(next(e), normal, -1);
+  }
+
+  void demand(std::size_t k, const Point& normal, double factor) {
+    Point& sum = demands_[ring_.source[k]];
+    sum = {sum.x + factor * normal.x, sum.y + factor * normal.y};
+  }
+
+  // Moves each vertex by one unit in the last place into the direction demanded of it.
+  // Vertices that fell together move together.
+  void move() {
+    std::size_t k = 0;
+    for (std::size_t i = 0; i < ring_.source.size(); ++i) {
+      const Point& sum = demands_[ring_.source[i]];
+      const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
+      for (; k <= ring_.source[i]; ++k) {
+        shift(k, sum, length);
+      }
+    }
+    const Point& first = demands_[ring_.source.front()];
+    for (; k < places_.size(); ++k) {  // those that fell together with vertex 0
+      shift(k, first, std::sqrt(first.x * first.x + first.y * first.y));
+    }
+  }
+
+  void shift(std::size_t k, const Point& demand, double length) {
+    if (length < 0.125) {
+      return;
+    }
+    Point& move = moves_[k];
+    move = {move.x + demand.x / length, move.y + demand.y / length};
+    const double distance = std::sqrt(move.x * move.x + move.y * move.y);
+    if (distance > furthest) {
+      move = {move.x * (furthest / distance), move.y * (furthest / distance)};
+    }
+    const double unit = unit_in_last_place(nearest_[k]);
+    places_[k] = {nearest_[k].x + move.x * unit, nearest_[k].y + move.y * unit};
+  }
+
+  const ExactRing& exact_;
+  const std::vector<Point>& nearest_;
+  std::vector<Point> places_;
+  std::vector<Point> moves_;  // in units in the last place
+  std::vector<Point> demands_;
+  SnappedRing ring_;
+  Tally& tally_;
+};
+
+}  // namespace
+
+SnappedRing snap(const std::vector<Point>& places) {
+  SnappedRing ring;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (!(places[k] == places[k + 1 == places.size() ? 0 : k + 1])) {
+      ring.vertices.push_back(places[k]);
+      ring.source.push_back(k);
+    }
+  }
+  return ring;
+}
+
+std::optional<std::vector<Point>> separate(const ExactRing& ring, const std::vector<Point>& nearest,
+                                           Tally& tally) {
+  return Separator(ring, nearest, tally).run();
+}
+
+}  // namespace gcv

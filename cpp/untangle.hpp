@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The last resort of rounding: a simple ring from a closed polyline that crosses itself.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "point.hpp"
+#include "predicates.hpp"
+
+namespace gcv {
+
+struct UntangledRing {
+  std::vector<Point> vertices;  // simple, counter-clockwise
+  // No point of the ring is further than this from the polyline, and the other way round:
+  // what the ring leaves out counts.
+  double error_bound = 0;
+};
+
+// The boundary of the unbounded face of the closed polyline, crossings rounded to doubles
+// until nothing crosses any more; of several parts that touch in points, the largest.
+// Nothing where that does not come to an end, or has no area.
+std::optional<UntangledRing> untangle(std::vector<Point> polyline, Tally& tally);
+
+}  // namespace gcv

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * The header alone, in C and in C++: every function has the type, every struct the layout
+ * and every name the value that programs are compiled with. Compiled, never run.
+ */
+#include <gcv/gcv.h>
+
+#define HOLDS(name, condition) typedef char name[(condition) ? 1 : -1]
+
+HOLDS(statuses, GCV_OK == 0 && GCV_ERR_NULL_ARGUMENT == 1 && GCV_ERR_INVALID_ARGUMENT == 2 &&
+                    GCV_ERR_NOT_FINITE == 3 && GCV_ERR_DEGENERATE == 4 && GCV_ERR_NOT_SIMPLE == 5 &&
+                    GCV_ERR_BUFFER_TOO_SMALL == 6 && GCV_ERR_RANGE == 7 && GCV_ERR_PARSE == 8 &&
+                    GCV_ERR_NO_MEMORY == 9 && GCV_ERR_INTERNAL == 100);
+HOLDS(roundings, GCV_ROUND_NEAREST == 0 && GCV_ROUND_OUTWARD == 1);
+HOLDS(kinds, GCV_EDGE_TRANSLATED == 1 && GCV_EDGE_CORNER == 2 && GCV_EDGE_TRANSLATED_CORNER == 3);
+
+HOLDS(options_layout, sizeof(gcv_options) == 16 && offsetof(gcv_options, struct_size) == 0 &&
+                          offsetof(gcv_options, rounding) == 4 &&
+                          offsetof(gcv_options, tolerance) == 8);
+HOLDS(source_layout, sizeof(gcv_edge_source) == 12 && offsetof(gcv_edge_source, kind) == 0 &&
+                         offsetof(gcv_edge_source, a) == 4 && offsetof(gcv_edge_source, b) == 8);
+HOLDS(edge_layout,
+      sizeof(gcv_superset_edge) == 48 && offsetof(gcv_superset_edge, x0) == 0 &&
+          offsetof(gcv_superset_edge, y0) == 8 && offsetof(gcv_superset_edge, x1) == 16 &&
+          offsetof(gcv_superset_edge, y1) == 24 && offsetof(gcv_superset_edge, source) == 32);
+HOLDS(stats_layout, sizeof(gcv_stats) == 56 && offsetof(gcv_stats, struct_size) == 0 &&
+                        offsetof(gcv_stats, walk_steps) == 8 &&
+                        offsetof(gcv_stats, candidate_edges) == 16 &&
+                        offsetof(gcv_stats, predicates_filtered) == 24 &&
+                        offsetof(gcv_stats, predicates_fixed_width) == 32 &&
+                        offsetof(gcv_stats, predicates_rational) == 40 &&
+                        offsetof(gcv_stats, vertices_repaired) == 48);
+
+extern const gcv_options options;
+const gcv_options options = GCV_OPTIONS_INIT;
+
+#define FUNCTION(name, result, ...)                      \
+  extern result (*const pointer_to_##name)(__VA_ARGS__); \
+  result (*const pointer_to_##name)(__VA_ARGS__) = gcv_##name
+
+FUNCTION(version_number, uint32_t, void);
+FUNCTION(version_string, const char *, void);
+FUNCTION(status_name, const char *, int32_t);
+FUNCTION(last_error_message, const char *, void);
+FUNCTION(polygon_create, int32_t, const double *, size_t, size_t, gcv_polygon **);
+FUNCTION(polygon_create_wkt, int32_t, const char *, size_t, gcv_polygon **);
+FUNCTION(polygon_destroy, void, gcv_polygon *);
+FUNCTION(polygon_vertex_count, int32_t, const gcv_polygon *, size_t *);
+FUNCTION(polygon_vertices, int32_t, const gcv_polygon *, double *, size_t, size_t *);
+FUNCTION(polygon_area, int32_t, const gcv_polygon *, double *);
+FUNCTION(polygon_bounds, int32_t, const gcv_polygon *, double *);
+FUNCTION(options_init, void, gcv_options *);
+FUNCTION(minkowski_sum, int32_t, const gcv_polygon *, const gcv_polygon *, const gcv_options *,
+         gcv_outer_face **);
+FUNCTION(no_fit_polygon, int32_t, const gcv_polygon *, const gcv_polygon *, const double *,
+         const gcv_options *, gcv_outer_face **);
+FUNCTION(entrance_block, int32_t, const gcv_polygon *, const gcv_polygon *, const double *,
+         const gcv_options *, gcv_outer_face **);
+FUNCTION(outer_face_destroy, void, gcv_outer_face *);
+FUNCTION(outer_face_vertex_count, int32_t, const gcv_outer_face *, size_t *);
+FUNCTION(outer_face_vertices, int32_t, const gcv_outer_face *, double *, size_t, size_t *);
+FUNCTION(outer_face_exact_vertex_count, int32_t, const gcv_outer_face *, size_t *);
+FUNCTION(outer_face_exact_vertex, int32_t, const gcv_outer_face *, size_t, char *, size_t,
+         size_t *);
+FUNCTION(outer_face_edge_sources, int32_t, const gcv_outer_face *, gcv_edge_source *, size_t,
+         size_t *);
+FUNCTION(outer_face_error_bound, int32_t, const gcv_outer_face *, double *);
+FUNCTION(outer_face_area, int32_t, const gcv_outer_face *, double *);
+FUNCTION(outer_face_wkt, int32_t, const gcv_outer_face *, char *, size_t, size_t *);
+FUNCTION(outer_face_polygon, int32_t, const gcv_outer_face *, gcv_polygon **);
+FUNCTION(outer_face_stats, int32_t, const gcv_outer_face *, gcv_stats *);
+FUNCTION(superset_create, int32_t, const gcv_polygon *, const gcv_polygon *, gcv_superset **);
+FUNCTION(superset_destroy, void, gcv_superset *);
+FUNCTION(superset_edges, int32_t, const gcv_superset *, gcv_superset_edge *, size_t, size_t *);

@@ -1,0 +1,154 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * For every function that takes memory: the first, the second, ... allocation and all
+ * after it fail, until one more would have been enough. Each time the function says
+ * GCV_ERR_NO_MEMORY, gives nothing out, and gives back what it took. For that, this
+ * program has a malloc of its own, which a sanitizer or valgrind would not allow.
+ */
+#include <stdlib.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "handles.h"
+
+#if !defined(GCV_SANITIZED) && defined(__linux__)
+
+extern void *__libc_malloc(size_t size);
+extern void __libc_free(void *block);
+
+static long allowed = -1; /* allocations until they fail; below 0: for ever */
+static long live = 0;
+
+void *malloc(size_t size) {
+  if (allowed == 0) return NULL;
+  if (allowed > 0) --allowed;
+  ++live;
+  return __libc_malloc(size);
+}
+
+void free(void *block) {
+  if (block != NULL) --live;
+  __libc_free(block);
+}
+
+static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4}, point[2] = {0.5, 0.25};
+static gcv_polygon *polygon, *new_polygon;
+static gcv_outer_face *face, *new_face;
+static gcv_superset *new_superset;
+static char text[256];
+static size_t required;
+
+static gcv_status create(void) { return gcv_polygon_create(xy, 4, 0, &new_polygon); }
+static gcv_status create_wkt(void) {
+  return gcv_polygon_create_wkt("POLYGON ((0 0, 4 0, 0 3), (1 1, 2 1, 1 2))", 42, &new_polygon);
+}
+static gcv_status sum(void) { return gcv_minkowski_sum(polygon, polygon, NULL, &new_face); }
+static gcv_status no_fit(void) {
+  return gcv_no_fit_polygon(polygon, polygon, point, NULL, &new_face);
+}
+static gcv_status entrance(void) {
+  return gcv_entrance_block(polygon, polygon, point, NULL, &new_face);
+}
+static gcv_status exact_vertex(void) {
+  return gcv_outer_face_exact_vertex(face, 0, text, sizeof text, &required);
+}
+static gcv_status wkt(void) { return gcv_outer_face_wkt(face, text, sizeof text, &required); }
+static gcv_status face_polygon(void) { return gcv_outer_face_polygon(face, &new_polygon); }
+static gcv_status superset(void) { return gcv_superset_create(polygon, polygon, &new_superset); }
+
+static void forget_outputs(void) {
+  gcv_polygon_destroy(new_polygon);
+  gcv_outer_face_destroy(new_face);
+  gcv_superset_destroy(new_superset);
+  new_polygon = NULL;
+  new_face = NULL;
+  new_superset = NULL;
+  text[0] = '\0';
+}
+
+static void starve(gcv_status (*call)(void)) {
+  long enough = 0;
+  for (;; ++enough) {
+    const long live_before = live;
+    gcv_status status;
+    allowed = enough;
+    status = call();
+    allowed = -1;
+    if (status == GCV_OK) break;
+    if (!CHECK_STATUS(GCV_ERR_NO_MEMORY, status)) break;
+    CHECK(live == live_before);
+    CHECK(new_polygon == NULL && new_face == NULL && new_superset == NULL && text[0] == '\0');
+  }
+  CHECK(enough > 0);
+  forget_outputs();
+}
+
+/* In a child process, so that one function that ends the process is one failure. */
+static void starve_in_child(const char *name, gcv_status (*call)(void)) {
+  const pid_t child = fork();
+  int status = -1;
+  if (child == 0) {
+    check_failures = 0;
+    starve(call);
+    _exit(check_failures != 0);
+  }
+  CHECK(child > 0 && waitpid(child, &status, 0) == child);
+  if (!CHECK(status == 0)) {
+    fprintf(stderr, "  %s %s %d\n", name, WIFSIGNALED(status) ? "ends by signal" : "exits with",
+            WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status));
+  }
+}
+
+/* The functions that do not know GCV_ERR_NO_MEMORY need none. */
+static void frugal_functions(void) {
+  double number, bounds[4], vertices[32];
+  size_t count;
+  gcv_edge_source sources[16];
+  gcv_superset_edge edges[64];
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
+  CHECK_OK(superset());
+  allowed = 0;
+  CHECK_OK(gcv_polygon_vertex_count(polygon, &count));
+  CHECK_OK(gcv_polygon_vertices(polygon, vertices, 16, &count));
+  CHECK_OK(gcv_polygon_area(polygon, &number));
+  CHECK_OK(gcv_polygon_bounds(polygon, bounds));
+  CHECK_OK(gcv_outer_face_vertex_count(face, &count));
+  CHECK_OK(gcv_outer_face_vertices(face, vertices, 16, &count));
+  CHECK_OK(gcv_outer_face_exact_vertex_count(face, &count));
+  CHECK_OK(gcv_outer_face_edge_sources(face, sources, 16, &count));
+  CHECK_OK(gcv_outer_face_error_bound(face, &number));
+  CHECK_OK(gcv_outer_face_area(face, &number));
+  CHECK_OK(gcv_outer_face_stats(face, &stats));
+  CHECK_OK(gcv_superset_edges(new_superset, edges, 64, &count));
+  CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, gcv_polygon_area(NULL, &number));
+  allowed = -1;
+  forget_outputs();
+}
+
+int main(void) {
+  polygon = polygon_of(xy, 4);
+  face = sum_of(polygon, polygon);
+  starve_in_child("gcv_polygon_create", create);
+  starve_in_child("gcv_polygon_create_wkt", create_wkt);
+  starve_in_child("gcv_minkowski_sum", sum);
+  starve_in_child("gcv_no_fit_polygon", no_fit);
+  starve_in_child("gcv_entrance_block", entrance);
+  starve_in_child("gcv_outer_face_exact_vertex", exact_vertex);
+  starve_in_child("gcv_outer_face_wkt", wkt);
+  starve_in_child("gcv_outer_face_polygon", face_polygon);
+  starve_in_child("gcv_superset_create", superset);
+  frugal_functions();
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(polygon);
+  return check_failures != 0;
+}
+
+#else
+
+int main(void) {
+  fprintf(stderr, "skipped: the sanitizers have a malloc of their own\n");
+  return SKIPPED;
+}
+
+#endif

@@ -1,0 +1,139 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * A record of all that the library says about some polygons, byte by byte: whatever the
+ * thread and its floating-point environment, two records must be equal.
+ */
+#ifndef GCV_TESTS_CAPI_RECORD_H
+#define GCV_TESTS_CAPI_RECORD_H
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "handles.h"
+
+struct record {
+  size_t size;
+  unsigned char bytes[1 << 16];
+};
+
+static inline void put(struct record *record, const void *bytes, size_t size) {
+  if (size > sizeof record->bytes - record->size) abort();
+  memcpy(record->bytes + record->size, bytes, size);
+  record->size += size;
+}
+
+/* Gives whether the call went well; else, records why it did not. */
+static inline int put_status(struct record *record, gcv_status status) {
+  put(record, &status, sizeof status);
+  if (status != GCV_OK) {
+    put(record, gcv_last_error_message(), strlen(gcv_last_error_message()));
+  }
+  return status == GCV_OK;
+}
+
+static inline void put_polygon(struct record *record, const gcv_polygon *polygon) {
+  double xy[2 * MOST_VERTICES], area, bounds[4];
+  size_t count;
+  if (put_status(record, gcv_polygon_vertices(polygon, xy, MOST_VERTICES, &count))) {
+    put(record, xy, count * 2 * sizeof *xy);
+  }
+  if (put_status(record, gcv_polygon_area(polygon, &area))) put(record, &area, sizeof area);
+  if (put_status(record, gcv_polygon_bounds(polygon, bounds))) put(record, bounds, sizeof bounds);
+}
+
+static inline void put_face(struct record *record, const gcv_outer_face *face) {
+  double xy[2 * MOST_VERTICES], area, bound;
+  gcv_edge_source sources[MOST_VERTICES];
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
+  gcv_polygon *polygon = NULL;
+  char text[MOST_TEXT];
+  size_t count, size, k;
+  if (put_status(record, gcv_outer_face_vertices(face, xy, MOST_VERTICES, &count))) {
+    put(record, xy, count * 2 * sizeof *xy);
+  }
+  if (put_status(record, gcv_outer_face_edge_sources(face, sources, MOST_VERTICES, &count))) {
+    put(record, sources, count * sizeof *sources);
+  }
+  for (k = 0; k <= count; ++k) { /* one too many is an error to be recorded */
+    if (put_status(record, gcv_outer_face_exact_vertex(face, k, text, sizeof text, &size))) {
+      put(record, text, size);
+    }
+  }
+  if (put_status(record, gcv_outer_face_area(face, &area))) put(record, &area, sizeof area);
+  if (put_status(record, gcv_outer_face_error_bound(face, &bound))) {
+    put(record, &bound, sizeof bound);
+  }
+  if (put_status(record, gcv_outer_face_wkt(face, text, sizeof text, &size))) {
+    put(record, text, size);
+  }
+  if (put_status(record, gcv_outer_face_stats(face, &stats))) {
+    put(record, &stats.walk_steps, 6 * sizeof stats.walk_steps);
+  }
+  if (put_status(record, gcv_outer_face_polygon(face, &polygon))) put_polygon(record, polygon);
+  gcv_polygon_destroy(polygon);
+}
+
+static inline void put_superset(struct record *record, const gcv_superset *superset) {
+  gcv_superset_edge edges[2 * MOST_VERTICES];
+  size_t count, k;
+  if (!put_status(record, gcv_superset_edges(superset, edges, 2 * MOST_VERTICES, &count))) return;
+  for (k = 0; k < count; ++k) {
+    put(record, &edges[k].x0, 4 * sizeof(double));
+    put(record, &edges[k].source, sizeof edges[k].source);
+  }
+}
+
+static inline void put_pair(struct record *record, const gcv_polygon *a, const gcv_polygon *b) {
+  const double point[2] = {0.1, -1e-9};
+  gcv_outer_face *face = NULL;
+  gcv_superset *superset = NULL;
+  put_polygon(record, a);
+  put_polygon(record, b);
+  if (put_status(record, gcv_minkowski_sum(a, b, NULL, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+  face = NULL;
+  if (put_status(record, gcv_no_fit_polygon(a, b, point, NULL, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+  face = NULL;
+  if (put_status(record, gcv_entrance_block(a, b, point, NULL, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+  if (put_status(record, gcv_superset_create(a, b, &superset))) put_superset(record, superset);
+  gcv_superset_destroy(superset);
+}
+
+/* Pairs of polygons: of integers, of fractions, of subnormal numbers, of numbers whose
+ * sums overflow, of numbers of all sizes, and with a slit that rounding would close. */
+enum { PAIRS = 6 };
+static const char *const pair_texts[PAIRS][2] = {
+    {"POLYGON ((0 0, 4 4, 2 3, 0 4))", "POLYGON ((0 0, 3 3, 0 2))"},
+    {"POLYGON ((0.1 0.2, 0.7 0.1, 1.3 0.4, 0.9 0.6, 1.1 1.7, 0.6 0.7, 0.2 1.1, 0.3 0.5))",
+     "POLYGON ((0.3 0, 0.8 0.3, 0.1 0.9, 0.35 0.4))"},
+    {"POLYGON ((0 0, 2e-323 2e-323, 1e-323 1.5e-323, 0 2e-323))",
+     "POLYGON ((0 0, 1.5e-323 1.5e-323, 0 1e-323))"},
+    {"POLYGON ((0 0, 1.7e308 1.7e308, 1e308 1.6e308, 0 1.7e308))",
+     "POLYGON ((0 0, 3e307 3e307, 0 2e307))"},
+    {"POLYGON ((-1e100 1e-300, 3 -1e-310, 1e17 1, 5e15 1e30))",
+     "POLYGON ((0 0, 1e-200 1e-200, 1 1e-308, 1e9 1e-9, 0.1 1e5))"},
+    {"POLYGON ((18014398509481984 0, 18014398509482000 0, 18014398509482000 16, "
+     "18014398509481992 16, 18014398509481992 8, 18014398509481988 8, 18014398509481988 16, "
+     "18014398509481984 16))",
+     "POLYGON ((0 0, 2 0, 2 1, 0 1))"},
+};
+
+static inline gcv_status pair_polygon(int pair, int which, gcv_polygon **polygon) {
+  const char *text = pair_texts[pair][which];
+  return gcv_polygon_create_wkt(text, strlen(text), polygon);
+}
+
+/* What the library makes of input that it refuses. */
+static inline void put_refusals(struct record *record) {
+  const double bow_tie[] = {0, 0, 0.2, 0.2, 0.2, 0, 0, 0.2}, bad[] = {0, 0, 1, NAN, INFINITY, 1};
+  gcv_polygon *polygon = NULL;
+  put_status(record, gcv_polygon_create(bow_tie, 4, 0, &polygon));
+  put_status(record, gcv_polygon_create(bad, 3, 0, &polygon));
+  put_status(record, gcv_polygon_create(bad, 2, 0, &polygon));
+  put_status(record, gcv_polygon_create_wkt("POLYGON ((1e999 0))", 19, &polygon));
+  gcv_polygon_destroy(polygon);
+}
+
+#endif

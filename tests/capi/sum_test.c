@@ -1,0 +1,230 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * Outer faces of sums, no-fit polygons and entrance blocks, worked out by hand.
+ */
+#include <math.h>
+
+#include "handles.h"
+
+static gcv_polygon *square, *triangle, *turned_triangle, *dart, *wedge;
+
+static void make_polygons(void) {
+  square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  triangle = POLYGON(0, 0, 2, 0, 0, 1);
+  turned_triangle = POLYGON(0, 0, -2, 0, 0, -1);
+  dart = POLYGON(0, 0, 4, 4, 2, 3, 0, 4);
+  wedge = POLYGON(0, 0, 3, 3, 0, 2);
+}
+
+static void destroy_polygons(void) {
+  gcv_polygon_destroy(square);
+  gcv_polygon_destroy(triangle);
+  gcv_polygon_destroy(turned_triangle);
+  gcv_polygon_destroy(dart);
+  gcv_polygon_destroy(wedge);
+}
+
+static double area_of(const gcv_outer_face *face) {
+  double area = -1;
+  CHECK_OK(gcv_outer_face_area(face, &area));
+  return area;
+}
+
+static double error_bound_of(const gcv_outer_face *face) {
+  double bound = -1;
+  CHECK_OK(gcv_outer_face_error_bound(face, &bound));
+  return bound;
+}
+
+static int wkt_is(const gcv_outer_face *face, const char *expected) {
+  char text[MOST_TEXT] = "";
+  size_t required = 0;
+  CHECK_OK(gcv_outer_face_wkt(face, text, sizeof text, &required));
+  CHECK(required == strlen(text) + 1);
+  return strcmp(text, expected) == 0;
+}
+
+/* The same handle twice, and handles that die before the face. */
+static void square_and_square(void) {
+  gcv_polygon *once = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  gcv_outer_face *face = sum_of(once, once);
+  gcv_polygon_destroy(once);
+  CHECK(exact_ring_is(face, "0/1 0/1, 2/1 0/1, 2/1 2/1, 0/1 2/1"));
+  CHECK(face_is(face, RING(0, 0, 2, 0, 2, 2, 0, 2)));
+  CHECK(area_of(face) == 4);
+  CHECK(error_bound_of(face) == 0);
+  CHECK(wkt_is(face, "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))"));
+  gcv_outer_face_destroy(face);
+}
+
+static void hexagon(void) {
+  gcv_outer_face *face = sum_of(triangle, turned_triangle);
+  CHECK(exact_ring_is(face, "-2/1 0/1, 0/1 -1/1, 2/1 -1/1, 2/1 0/1, 0/1 1/1, -2/1 1/1"));
+  CHECK(face_is(face, RING(-2, 0, 0, -1, 2, -1, 2, 0, 0, 1, -2, 1)));
+  CHECK(area_of(face) == 6);
+  gcv_outer_face_destroy(face);
+}
+
+/* At the notch of the dart, the line from (7, 7) along (-3, -1) meets the one from (5, 6)
+ * along (-2, 1): in (23/5, 31/5). */
+static void crossing(void) {
+  gcv_outer_face *face = sum_of(dart, wedge), *swapped = sum_of(wedge, dart);
+  CHECK(exact_ring_is(face, "0/1 0/1, 7/1 7/1, 23/5 31/5, 3/1 7/1, 0/1 6/1"));
+  CHECK(face_is(face, RING(0, 0, 7, 7, 4.6, 6.2, 3, 7, 0, 6)));
+  CHECK(face_is(swapped, RING(0, 0, 7, 7, 4.6, 6.2, 3, 7, 0, 6)));
+  CHECK(wkt_is(face, "POLYGON ((0 0, 7 7, 4.6 6.2, 3 7, 0 6, 0 0))"));
+  gcv_outer_face_destroy(face);
+  gcv_outer_face_destroy(swapped);
+}
+
+/* A frame with a slit, of width 1, in its right side: wide squares close it, one that
+ * just fits does, too, and narrow ones leave it open. */
+static void frame(void) {
+  gcv_polygon *slit_frame =
+      POLYGON(0, 0, 12, 0, 12, 5, 11, 5, 11, 1, 1, 1, 1, 11, 11, 11, 11, 6, 12, 6, 12, 12, 0, 12);
+  gcv_polygon *half = POLYGON(0, 0, 0.5, 0, 0.5, 0.5, 0, 0.5);
+  gcv_polygon *two = POLYGON(0, 0, 2, 0, 2, 2, 0, 2);
+  gcv_outer_face *closed = sum_of(slit_frame, two), *fits = sum_of(slit_frame, square),
+                 *open = sum_of(slit_frame, half);
+  CHECK(face_is(closed, RING(0, 0, 14, 0, 14, 14, 0, 14)));
+  CHECK(face_is(fits, RING(0, 0, 13, 0, 13, 13, 0, 13)));
+  CHECK(face_is(open, RING(0, 0, 12.5, 0, 12.5, 5.5, 11, 5.5, 11, 1.5, 1.5, 1.5, 1.5, 11, 11, 11,
+                           11, 6, 12.5, 6, 12.5, 12.5, 0, 12.5)));
+  gcv_outer_face_destroy(closed);
+  gcv_outer_face_destroy(fits);
+  gcv_outer_face_destroy(open);
+  gcv_polygon_destroy(two);
+  gcv_polygon_destroy(half);
+  gcv_polygon_destroy(slit_frame);
+}
+
+static void no_fit_polygon(void) {
+  const double reference[2] = {10, -1};
+  gcv_outer_face *face = NULL;
+  CHECK_OK(gcv_no_fit_polygon(triangle, triangle, reference, NULL, &face));
+  CHECK(face_is(face, RING(8, -1, 10, -2, 12, -2, 12, -1, 10, 0, 8, 0)));
+  gcv_outer_face_destroy(face);
+  CHECK_OK(gcv_no_fit_polygon(square, triangle, reference, NULL, &face));
+  CHECK(face_is(face, RING(8, -1, 10, -2, 11, -2, 11, 0, 8, 0)));
+  gcv_outer_face_destroy(face);
+}
+
+/* B + (-A) + a0 is the no-fit polygon of B and A. */
+static void entrance_block(void) {
+  const double a0[2] = {10, -1};
+  gcv_outer_face *face = NULL;
+  CHECK_OK(gcv_entrance_block(triangle, square, a0, NULL, &face));
+  CHECK(face_is(face, RING(8, -1, 10, -2, 11, -2, 11, 0, 8, 0)));
+  gcv_outer_face_destroy(face);
+}
+
+static void bad_reference(void) {
+  static const double bad[][2] = {{NAN, 0}, {0, NAN}, {INFINITY, 0}, {0, -INFINITY}};
+  gcv_outer_face *face = NULL;
+  size_t k;
+  for (k = 0; k < sizeof bad / sizeof *bad; ++k) {
+    CHECK_REFUSED(GCV_ERR_NOT_FINITE, "reference",
+                  gcv_no_fit_polygon(square, square, bad[k], NULL, &face));
+    CHECK_REFUSED(GCV_ERR_NOT_FINITE, "a0",
+                  gcv_entrance_block(square, square, bad[k], NULL, &face));
+  }
+  CHECK(face == NULL);
+}
+
+static void index_past_the_end(void) {
+  gcv_outer_face *face = sum_of(square, square);
+  char text[64] = "untouched";
+  size_t required = 0;
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "4",
+                gcv_outer_face_exact_vertex(face, 4, text, sizeof text, &required));
+  CHECK_STATUS(GCV_ERR_INVALID_ARGUMENT,
+               gcv_outer_face_exact_vertex(face, SIZE_MAX, text, sizeof text, &required));
+  CHECK(strcmp(text, "untouched") == 0);
+  gcv_outer_face_destroy(face);
+}
+
+/* The ring as a polygon and as text, and back. */
+static void rings_go_on(void) {
+  gcv_outer_face *face = sum_of(dart, wedge), *next;
+  gcv_polygon *polygon = NULL, *read = NULL;
+  char text[MOST_TEXT] = "";
+  size_t required = 0;
+  CHECK_OK(gcv_outer_face_polygon(face, &polygon));
+  CHECK_OK(gcv_outer_face_wkt(face, text, sizeof text, &required));
+  CHECK_OK(gcv_polygon_create_wkt(text, required - 1, &read));
+  gcv_outer_face_destroy(face);
+  CHECK(polygon_is(polygon, RING(0, 0, 7, 7, 4.6, 6.2, 3, 7, 0, 6)));
+  CHECK(polygon_is(read, RING(0, 0, 7, 7, 4.6, 6.2, 3, 7, 0, 6)));
+  next = sum_of(polygon, square);
+  CHECK(area_of(next) > 0);
+  gcv_outer_face_destroy(next);
+  gcv_polygon_destroy(polygon);
+  gcv_polygon_destroy(read);
+}
+
+/* Doubles of every size come back from their text. */
+static void wkt_round_trip(void) {
+  const double xy[] = {-1e308, 0.1, 1.0 / 3, -0x1p-1074, 1e22, 5e-324, 123456789.125, 1e23};
+  gcv_polygon *polygon = polygon_of(xy, 4), *tiny = POLYGON(0, 0, 0x1p-1074, 0, 0, 0x1p-1074);
+  gcv_polygon *read = NULL;
+  gcv_outer_face *face = sum_of(polygon, tiny);
+  double ring[2 * MOST_VERTICES];
+  char text[MOST_TEXT] = "";
+  size_t count = 0, required = 0;
+  CHECK_OK(gcv_outer_face_vertices(face, ring, MOST_VERTICES, &count));
+  CHECK_OK(gcv_outer_face_wkt(face, text, sizeof text, &required));
+  CHECK_OK(gcv_polygon_create_wkt(text, required - 1, &read));
+  CHECK(polygon_is(read, ring, count));
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(read);
+  gcv_polygon_destroy(tiny);
+  gcv_polygon_destroy(polygon);
+}
+
+static void out_of_range(void) {
+  const double reference[2] = {-1.7e308, 0}, away[2] = {1.7e308, 0};
+  gcv_polygon *right = POLYGON(1.7e308, 0, 1.7e308, 1, 1.6e308, 0);
+  gcv_polygon *left = POLYGON(-1.7e308, 0, -1.6e308, 0, -1.7e308, 1);
+  gcv_polygon *wide = POLYGON(0, 0, 1e200, 0, 1e200, 1e200, 0, 1e200);
+  gcv_outer_face *face = NULL;
+  gcv_superset *superset = NULL;
+  double area = -1;
+
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_minkowski_sum(right, right, NULL, &face));
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_minkowski_sum(left, left, NULL, &face));
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_no_fit_polygon(right, left, away, NULL, &face));
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_entrance_block(right, left, reference, NULL, &face));
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_superset_create(right, right, &superset));
+  CHECK(face == NULL && superset == NULL);
+
+  /* Only the results have to be in range, not what they are computed from. */
+  CHECK_OK(gcv_no_fit_polygon(right, left, reference, NULL, &face));
+  gcv_outer_face_destroy(face);
+  face = sum_of(left, right);
+  gcv_outer_face_destroy(face);
+
+  face = sum_of(wide, wide);
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_outer_face_area(face, &area));
+  CHECK(area == -1);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(wide);
+  gcv_polygon_destroy(left);
+  gcv_polygon_destroy(right);
+}
+
+int main(void) {
+  make_polygons();
+  square_and_square();
+  hexagon();
+  crossing();
+  frame();
+  no_fit_polygon();
+  entrance_block();
+  bad_reference();
+  index_past_the_end();
+  rings_go_on();
+  wkt_round_trip();
+  out_of_range();
+  destroy_polygons();
+  return check_failures != 0;
+}

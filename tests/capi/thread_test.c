@@ -1,0 +1,57 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * Eight threads share const handles, and all compute the same bits.
+ */
+#include <pthread.h>
+
+#include "record.h"
+
+enum { THREADS = 8, ROUNDS = 4 };
+
+static gcv_polygon *polygons[PAIRS][2];
+static gcv_outer_face *shared_face;
+
+static void put_everything(struct record *record) {
+  int pair;
+  for (pair = 0; pair < PAIRS; ++pair) put_pair(record, polygons[pair][0], polygons[pair][1]);
+  put_face(record, shared_face);
+  put_refusals(record);
+}
+
+static void *work(void *argument) {
+  struct record *records = argument;
+  int round;
+  for (round = 0; round < ROUNDS; ++round) put_everything(&records[round]);
+  return NULL;
+}
+
+int main(void) {
+  static struct record reference, records[THREADS][ROUNDS];
+  pthread_t threads[THREADS];
+  int pair, k, round;
+  for (pair = 0; pair < PAIRS; ++pair) {
+    CHECK_OK(pair_polygon(pair, 0, &polygons[pair][0]));
+    CHECK_OK(pair_polygon(pair, 1, &polygons[pair][1]));
+  }
+  shared_face = sum_of(polygons[1][0], polygons[1][1]);
+  put_everything(&reference);
+  CHECK(reference.size > 10000);
+
+  for (k = 0; k < THREADS; ++k) {
+    if (!CHECK(pthread_create(&threads[k], NULL, work, records[k]) == 0)) return 1;
+  }
+  for (k = 0; k < THREADS; ++k) {
+    CHECK(pthread_join(threads[k], NULL) == 0);
+    for (round = 0; round < ROUNDS; ++round) {
+      CHECK(records[k][round].size == reference.size &&
+            memcmp(records[k][round].bytes, reference.bytes, reference.size) == 0);
+    }
+  }
+
+  gcv_outer_face_destroy(shared_face);
+  for (pair = 0; pair < PAIRS; ++pair) {
+    gcv_polygon_destroy(polygons[pair][0]);
+    gcv_polygon_destroy(polygons[pair][1]);
+  }
+  return check_failures != 0;
+}
