@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "exact_ring.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <type_traits>
+
 #include "exact_coordinates.hpp"
 
 namespace gcv {
@@ -8,14 +12,15 @@ namespace gcv {
 namespace {
 
 // n / w * 2^exponent in lowest terms.
-std::string fraction(BigInteger n, BigInteger w, int exponent) {
+template <class Integer>
+std::string fraction(Integer n, Integer w, int exponent) {
   if (exponent >= 0) {
     n <<= exponent;
   } else {
     w <<= -exponent;
   }
-  const BigInteger divisor = gcd(n, w);
-  return BigInteger(n / divisor).str() + "/" + BigInteger(w / divisor).str();
+  const Integer divisor = gcd(n, w);
+  return Integer(n / divisor).str() + "/" + Integer(w / divisor).str();
 }
 
 }  // namespace
@@ -47,9 +52,18 @@ int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tall
 
 std::string exact_vertex(const ExactRing& ring, std::size_t k) {
   const ExactVertex vertex(ring, k);
-  const auto p = vertex.homogeneous<BigInteger>();
   const int exponent = vertex.grid().exponent();
-  return fraction(p.x, p.w, exponent) + " " + fraction(p.y, p.w, exponent);
+  // At least 128 bits: the narrowest integers have no text form.
+  const int bits = std::max(128, vertex.bits() + std::abs(exponent));
+  Tally tally;
+  return with_integers(bits, tally, [&]<class Integer>() -> std::string {
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      return {};
+    } else {
+      const auto p = vertex.homogeneous<Integer>();
+      return fraction(p.x, p.w, exponent) + " " + fraction(p.y, p.w, exponent);
+    }
+  });
 }
 
 }  // namespace gcv

@@ -389,7 +389,7 @@ enum {
  * Where an edge of the sum comes from. a is a vertex or edge number of A, b one of
  * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
  * vertex k to k+1. Of merged collinear edges, the first along the counter-clockwise
- * ring. Of repeated vertices, the last along it.
+ * ring. Of a vertex passed several times in a row, the last number.
  */
 typedef struct gcv_edge_source {
   int32_t kind;
