@@ -117,12 +117,8 @@ Chain without_collinear(const Chain& chain, Tally& tally) {
 // Turns a clockwise simple ring round. Edge i, from vertex i to i+1, becomes the edge
 // that starts at vertex i+1; of the caller's edges on one straight line, the first
 // along the new ring is the last of the old one, just before vertex i+1 in `chain`.
-void make_counter_clockwise(Chain& corners, const Chain& chain, Tally& tally) {
-  const std::size_t lowest = static_cast<std::size_t>(
-      std::min_element(corners.points.begin(), corners.points.end(), lexicographically_less) -
-      corners.points.begin());
-  if (orientation(corners.points[corners.previous(lowest)], corners.points[lowest],
-                  corners.points[corners.next(lowest)], tally) > 0) {
+void make_counter_clockwise(Chain& corners, const Chain& chain) {
+  if (is_counter_clockwise(corners.points)) {
     return;
   }
   std::size_t k = 0;
@@ -203,7 +199,7 @@ Polygon make_polygon(std::span<const Point> boundary, const char* name) {
   }
   check_simple(chain, name, tally);
   Chain corners = without_collinear(chain, tally);
-  make_counter_clockwise(corners, chain, tally);
+  make_counter_clockwise(corners, chain);
   start_at_lexicographic_min(corners);
 
   Polygon polygon;

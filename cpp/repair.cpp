@@ -34,7 +34,7 @@ class Separator {
       }
       const std::vector<Conflict> conflicts = find_all_conflicts(ring_.vertices);
       if (conflicts.empty()) {
-        return places_;
+        return is_counter_clockwise(ring_.vertices) ? std::optional(places_) : std::nullopt;
       }
       demands_.assign(places_.size(), {0, 0});
       for (const Conflict& conflict : conflicts) {

@@ -131,7 +131,7 @@ Placement place_nearest(const ExactRing& ring, Tally& tally) {
 std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally) {
   const Placement nearest = place_nearest(ring, tally);
   const std::vector<Point> snapped = snap(nearest.places).vertices;
-  if (snapped.size() >= 3 && !find_conflict(snapped)) {
+  if (snapped.size() >= 3 && !find_conflict(snapped) && is_counter_clockwise(snapped)) {
     return nearest;
   }
   std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);

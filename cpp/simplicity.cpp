@@ -251,6 +251,14 @@ class PairSearch {
 
 std::optional<Conflict> find_conflict(std::span<const Point> ring) { return Sweep(ring).run(); }
 
+bool is_counter_clockwise(std::span<const Point> ring) {
+  const auto lowest = static_cast<std::size_t>(
+      std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
+  const std::size_t n = ring.size();
+  Tally tally;
+  return orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n], tally) > 0;
+}
+
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
   const ChainTree tree = build_chain_tree(ring);
   return PairSearch(ring, tree).run();

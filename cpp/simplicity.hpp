@@ -24,6 +24,9 @@ struct Conflict {
 // are allowed. O(n log n).
 std::optional<Conflict> find_conflict(std::span<const Point> ring);
 
+// Does a simple ring go counter-clockwise?
+bool is_counter_clockwise(std::span<const Point> ring);
+
 // All such pairs, by a tree of boxes: fast where edges that are near each other are few.
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring);
 

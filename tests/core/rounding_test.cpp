@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "area.hpp"
 #include "error.hpp"
 #include "generators.hpp"
 #include "minkowski_sum.hpp"
@@ -98,6 +99,7 @@ TEST(Rounding, IsNearestWithACertifiedBound) {
                       k % 5 == 0 ? 1e17 : 0.125};
     const OuterFace face = sum_of(a, b, shift);
     ASSERT_FALSE(find_conflict(face.rounded.vertices));
+    ASSERT_TRUE(is_counter_clockwise(face.rounded.vertices));
     const Rational bound = rational(face.rounded.error_bound);
     if (face.rounded.vertices_repaired != 0 || face.rounded.vertices.size() != face.exact.size()) {
       continue;
@@ -132,6 +134,75 @@ TEST(Rounding, AddsTheShiftBeforeRounding) {
   const Ring b{{tiny, 0}, {1, 0}, {tiny, 1}};
   const OuterFace face = sum_of(a, b, {-1, 0});
   EXPECT_EQ(face.rounded.vertices.front().x, tiny);
+}
+
+// A slot, and the square that just goes in, turned by a rational angle. In exact numbers
+// the turned square is a little too large or too small; the slit is less than an ulp wide.
+OuterFace turned_slot(int m, int n) {
+  const double length = static_cast<double>(m) * m + static_cast<double>(n) * n;
+  const double c = (static_cast<double>(m) * m - static_cast<double>(n) * n) / length;
+  const double s = 2.0 * m * n / length;
+  Ring slot{{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}};
+  Ring square{{0, 0}, {-1, 0}, {-1, -1}, {0, -1}};
+  for (Ring* ring : {&slot, &square}) {
+    for (Point& p : *ring) {
+      p = {c * p.x - s * p.y, s * p.x + c * p.y};
+    }
+  }
+  return sum_of(slot, square, {0, 0});
+}
+
+bool nearest_places_are_simple(const ExactRing& ring) {
+  Tally tally;
+  return !find_conflict(place_nearest(ring, tally).places);
+}
+
+TEST(Rounding, KeepsSlitsThinnerThanAnUlpOpen) {
+  int not_simple = 0;
+  int repaired = 0;
+  for (int m = 2; m < 60; ++m) {
+    for (int n = 1; n < m; ++n) {
+      const OuterFace face = turned_slot(m, n);
+      ASSERT_FALSE(find_conflict(face.rounded.vertices));
+      ASSERT_LE(face.rounded.error_bound, 8 * 0x1p-51);  // coordinates are below 4
+      not_simple += nearest_places_are_simple(face.exact) ? 0 : 1;
+      repaired += face.rounded.vertices_repaired != 0 ? 1 : 0;
+    }
+  }
+  std::printf("1711 turned slots: %d not simple when rounded to nearest, %d repaired\n", not_simple,
+              repaired);
+  EXPECT_GT(not_simple, 100);
+  EXPECT_GT(repaired, 100);
+}
+
+TEST(Rounding, LeavesTheLargestPartOfWhatIsTooFine) {
+  // A star of less than an ulp on the boundary of a huge one.
+  Random random(33);
+  for (int k = 0; k < 50; ++k) {
+    Ring tiny = test::random_spiky_star(random, 20);
+    Ring huge = test::random_spiky_star(random, 15);
+    for (Point& p : tiny) {
+      p = {p.x * 0x1p-30, p.y * 0x1p-30};
+    }
+    for (Point& p : huge) {
+      p = {p.x * 0x1p23, p.y * 0x1p23};
+    }
+    const OuterFace face = sum_of(tiny, huge, {0, 0});
+    ASSERT_FALSE(find_conflict(face.rounded.vertices));
+    ASSERT_TRUE(is_counter_clockwise(face.rounded.vertices));
+    ASSERT_LE(face.rounded.error_bound, 8 * 0x1p-23);
+    ASSERT_GE(ring_area(face.rounded.vertices), ring_area(huge));
+  }
+}
+
+TEST(Rounding, RefusesWhatIsTooSmallForDoubles) {
+  const Ring triangle{{0, 0}, {1, 0}, {0, 1}};
+  try {
+    sum_of(triangle, triangle, {0x1p60, 0x1p60});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.status(), Status::range);
+  }
 }
 
 TEST(Rounding, RefusesWhatNoDoubleHolds) {
