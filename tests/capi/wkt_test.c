@@ -91,6 +91,8 @@ static void malformed(void) {
       "POLYGON ((0 0, e5 0, 0 3))",
       "POLYGON ((0 0, 4e 0, 0 3))",
       "POLYGON ((0 0, 4e+ 0, 0 3))",
+      "POLYGON ((0 0, 4-1, 0 3))",
+      "POLYGON ((0 0, 4.5.5, 0 3))",
       "POLYGON ((0 0, 4_0 0, 0 3))",
       "POLYGON ((0 0, 4.0.0 0, 0 3))",
       "POLYGON ((0 0, 4f 0, 0 3))",
