@@ -33,7 +33,7 @@ void free(void *block) {
 }
 
 static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4}, point[2] = {0.5, 0.25};
-static gcv_polygon *polygon, *new_polygon;
+static gcv_polygon *polygon, *fraction, *new_polygon;
 static gcv_outer_face *face, *new_face;
 static gcv_superset *new_superset;
 static char text[256];
@@ -44,6 +44,11 @@ static gcv_status create_wkt(void) {
   return gcv_polygon_create_wkt("POLYGON ((0 0, 4 0, 0 3), (1 1, 2 1, 1 2))", 42, &new_polygon);
 }
 static gcv_status sum(void) { return gcv_minkowski_sum(polygon, polygon, NULL, &new_face); }
+static gcv_status outward_sum(void) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.rounding = GCV_ROUND_OUTWARD;
+  return gcv_minkowski_sum(fraction, polygon, &options, &new_face);
+}
 static gcv_status no_fit(void) {
   return gcv_no_fit_polygon(polygon, polygon, point, NULL, &new_face);
 }
@@ -128,10 +133,12 @@ static void frugal_functions(void) {
 
 int main(void) {
   polygon = polygon_of(xy, 4);
+  fraction = POLYGON(0.1, 0, 1, 0.2, 0.3, 1);
   face = sum_of(polygon, polygon);
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
   starve_in_child("gcv_minkowski_sum", sum);
+  starve_in_child("gcv_minkowski_sum, outward", outward_sum);
   starve_in_child("gcv_no_fit_polygon", no_fit);
   starve_in_child("gcv_entrance_block", entrance);
   starve_in_child("gcv_outer_face_exact_vertex", exact_vertex);
@@ -140,6 +147,7 @@ int main(void) {
   starve_in_child("gcv_superset_create", superset);
   frugal_functions();
   gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(fraction);
   gcv_polygon_destroy(polygon);
   return check_failures != 0;
 }

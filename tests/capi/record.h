@@ -13,7 +13,7 @@
 
 struct record {
   size_t size;
-  unsigned char bytes[1 << 16];
+  unsigned char bytes[1 << 17];
 };
 
 static inline void put(struct record *record, const void *bytes, size_t size) {
@@ -83,20 +83,28 @@ static inline void put_superset(struct record *record, const gcv_superset *super
   }
 }
 
-static inline void put_pair(struct record *record, const gcv_polygon *a, const gcv_polygon *b) {
+static inline void put_sums(struct record *record, const gcv_polygon *a, const gcv_polygon *b,
+                            int32_t rounding) {
   const double point[2] = {0.1, -1e-9};
+  gcv_options options = GCV_OPTIONS_INIT;
   gcv_outer_face *face = NULL;
+  options.rounding = rounding;
+  if (put_status(record, gcv_minkowski_sum(a, b, &options, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+  face = NULL;
+  if (put_status(record, gcv_no_fit_polygon(a, b, point, &options, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+  face = NULL;
+  if (put_status(record, gcv_entrance_block(a, b, point, &options, &face))) put_face(record, face);
+  gcv_outer_face_destroy(face);
+}
+
+static inline void put_pair(struct record *record, const gcv_polygon *a, const gcv_polygon *b) {
   gcv_superset *superset = NULL;
   put_polygon(record, a);
   put_polygon(record, b);
-  if (put_status(record, gcv_minkowski_sum(a, b, NULL, &face))) put_face(record, face);
-  gcv_outer_face_destroy(face);
-  face = NULL;
-  if (put_status(record, gcv_no_fit_polygon(a, b, point, NULL, &face))) put_face(record, face);
-  gcv_outer_face_destroy(face);
-  face = NULL;
-  if (put_status(record, gcv_entrance_block(a, b, point, NULL, &face))) put_face(record, face);
-  gcv_outer_face_destroy(face);
+  put_sums(record, a, b, GCV_ROUND_NEAREST);
+  put_sums(record, a, b, GCV_ROUND_OUTWARD);
   if (put_status(record, gcv_superset_create(a, b, &superset))) put_superset(record, superset);
   gcv_superset_destroy(superset);
 }

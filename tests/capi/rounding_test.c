@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * From the exact ring to doubles: correct rounding, once, and the bound on its error.
+ * From the exact ring to doubles, nearest or outward, and the bound on the error.
  */
 #include <math.h>
 
@@ -75,13 +75,14 @@ static void subnormal(void) {
  * nearest doubles from 8 to 8: to keep it open, vertices have to move further. */
 static void closing_slit(void) {
   const double at = 0x1p54, origin[2] = {0, 0};
+  gcv_options outward = GCV_OPTIONS_INIT;
   gcv_polygon *fork =
       POLYGON(at, 0, at + 16, 0, at + 16, 16, at + 8, 16, at + 8, 8, at + 4, 8, at + 4, 16, at, 16);
   gcv_polygon *one = POLYGON(-1, -1, 0, -1, 0, 0, -1, 0), *two = POLYGON(0, 0, 2, 0, 2, 1, 0, 1);
   gcv_polygon *simple = NULL;
   gcv_outer_face *face = NULL;
   gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
-  double xy[16] = {0};
+  double xy[2 * MOST_VERTICES] = {0};
   size_t count = 0, k;
 
   CHECK_OK(gcv_no_fit_polygon(fork, one, origin, NULL, &face));
@@ -93,7 +94,7 @@ static void closing_slit(void) {
   gcv_outer_face_destroy(face);
 
   face = sum_of(fork, two);
-  CHECK_OK(gcv_outer_face_vertices(face, xy, 8, &count));
+  CHECK_OK(gcv_outer_face_vertices(face, xy, MOST_VERTICES, &count));
   for (k = 0; k < count && xy[2 * k + 1] != 9; ++k) continue;
   CHECK(k < count); /* the bottom of the slit */
   CHECK_OK(gcv_outer_face_polygon(face, &simple));
@@ -102,10 +103,72 @@ static void closing_slit(void) {
   CHECK(stats.vertices_repaired > 0);
   gcv_outer_face_destroy(face);
 
+  /* Outward, it closes, which changes the ring by as much as the slit is deep. */
+  outward.rounding = GCV_ROUND_OUTWARD;
+  CHECK_OK(gcv_minkowski_sum(fork, two, &outward, &face));
+  CHECK_OK(gcv_outer_face_vertices(face, xy, MOST_VERTICES, &count));
+  for (k = 0; k < count; ++k) CHECK(xy[2 * k + 1] <= 0 || xy[2 * k + 1] >= 17);
+  CHECK(error_bound_of(face) >= 8);
+  gcv_outer_face_destroy(face);
+
   gcv_polygon_destroy(simple);
   gcv_polygon_destroy(two);
   gcv_polygon_destroy(one);
   gcv_polygon_destroy(fork);
+}
+
+/* The box has corners (x0, 0) and (2, 2), where the largest double below x0 is 0x1.3...3p-2. */
+static void contains_the_box(gcv_outer_face *face) {
+  gcv_polygon *ring = NULL;
+  double box[4] = {0}, area = 0;
+  CHECK_OK(gcv_outer_face_polygon(face, &ring));
+  CHECK_OK(gcv_polygon_bounds(ring, box));
+  CHECK(box[0] <= 0x1.3333333333333p-2 && box[1] <= 0 && box[2] >= 2 && box[3] >= 2);
+  CHECK_OK(gcv_outer_face_area(face, &area));
+  CHECK(area >= 3.4);
+  CHECK(error_bound_of(face) >= 0x1.3333333333333p-2 - box[0] && error_bound_of(face) <= 0x1p-44);
+  gcv_polygon_destroy(ring);
+  gcv_outer_face_destroy(face);
+}
+
+static void outward(void) {
+  const double origin[2] = {0, 0};
+  gcv_polygon *a = POLYGON(0.1, 0, 1, 0, 1, 1, 0.1, 1), *b = POLYGON(0.2, 0, 1, 0, 1, 1, 0.2, 1);
+  gcv_polygon *minus_b = POLYGON(-0.2, 0, -1, 0, -1, -1, -0.2, -1);
+  gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_outer_face *face = sum_of(a, b);
+  CHECK(face_is(face, RING(0x1.3333333333334p-2, 0, 2, 0, 2, 2, 0x1.3333333333334p-2, 2)));
+  gcv_outer_face_destroy(face);
+
+  options.rounding = GCV_ROUND_OUTWARD;
+  CHECK_OK(gcv_minkowski_sum(a, b, &options, &face));
+  contains_the_box(face);
+  CHECK_OK(gcv_no_fit_polygon(a, minus_b, origin, &options, &face));
+  contains_the_box(face);
+  CHECK_OK(gcv_entrance_block(minus_b, a, origin, &options, &face));
+  contains_the_box(face);
+
+  /* What doubles can say is not moved. */
+  CHECK_OK(gcv_minkowski_sum(square, square, &options, &face));
+  CHECK(face_is(face, RING(0, 0, 2, 0, 2, 2, 0, 2)));
+  CHECK(error_bound_of(face) == 0);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(square);
+  gcv_polygon_destroy(minus_b);
+  gcv_polygon_destroy(b);
+  gcv_polygon_destroy(a);
+}
+
+/* At 1e10, doubles are 2e-6 apart, so that a triangle of 1e-10 is a point there. */
+static void too_small(void) {
+  const double far[2] = {1e10, 1e10};
+  gcv_polygon *tiny = POLYGON(0, 0, 1e-10, 0, 0, 1e-10);
+  gcv_outer_face *face = NULL;
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_no_fit_polygon(tiny, tiny, far, NULL, &face));
+  CHECK_STATUS(GCV_ERR_RANGE, gcv_entrance_block(tiny, tiny, far, NULL, &face));
+  CHECK(face == NULL);
+  gcv_polygon_destroy(tiny);
 }
 
 int main(void) {
@@ -114,5 +177,7 @@ int main(void) {
   reference_is_added_exactly();
   subnormal();
   closing_slit();
+  outward();
+  too_small();
   return check_failures != 0;
 }

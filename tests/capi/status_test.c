@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * Versions, names of statuses, and the message of the last failure. Other programs
- * provoke every status but GCV_ERR_INTERNAL: it stands for a defect of the library, so
- * no input is known to give it.
+ * Versions, names of statuses, and the message of the last failure. The other programs
+ * provoke every status through every function that documents it, save two: none knows an
+ * input that gives GCV_ERR_INTERNAL, a defect of the library, and a text of more than
+ * 2^31 vertices, for GCV_ERR_INVALID_ARGUMENT, would take many gigabytes.
  */
 #include <limits.h>
 #include <pthread.h>
