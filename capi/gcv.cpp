@@ -117,12 +117,12 @@ void give_finite(double value, const char* what, double* out) {
 
 void fill_points(const std::vector<Point>& points, double* xy, std::size_t capacity,
                  std::size_t* required) {
-  fill(points.size(), xy, capacity, required, "vertices",
+  fill(points.size(), "vertices", "xy", xy, capacity, required,
        [&](double* out) { std::memcpy(out, points.data(), points.size() * sizeof(Point)); });
 }
 
 void fill_text(const std::string& text, char* out, std::size_t capacity, std::size_t* required) {
-  fill(text.size() + 1, out, capacity, required, "bytes",
+  fill(text.size() + 1, "bytes", "text", out, capacity, required,
        [&](char* to) { std::memcpy(to, text.c_str(), text.size() + 1); });
 }
 
@@ -332,7 +332,7 @@ gcv_status gcv_outer_face_edge_sources(const gcv_outer_face* face, gcv_edge_sour
   return guarded([&] {
     require(face, "face");
     const std::vector<gcv::EdgeSource>& sources = face->face.sources;
-    fill(sources.size(), out, capacity, required, "edges", [&](gcv_edge_source* to) {
+    fill(sources.size(), "edges", "out", out, capacity, required, [&](gcv_edge_source* to) {
       std::transform(sources.begin(), sources.end(), to, public_source);
     });
   });
@@ -414,8 +414,9 @@ gcv_status gcv_superset_edges(const gcv_superset* superset, gcv_superset_edge* o
                               size_t* required) {
   return guarded([&] {
     require(superset, "superset");
-    fill(superset->edges.size(), out, capacity, required, "edges", [&](gcv_superset_edge* to) {
-      std::copy(superset->edges.begin(), superset->edges.end(), to);
-    });
+    fill(superset->edges.size(), "edges", "out", out, capacity, required,
+         [&](gcv_superset_edge* to) {
+           std::copy(superset->edges.begin(), superset->edges.end(), to);
+         });
   });
 }

@@ -64,14 +64,14 @@ inline void require(const void* pointer, const char* name) {
   }
 }
 
-// The buffer contract of gcv.h: fills `out` with count elements by calling
-// write(out) once it is known that they fit.
+// The buffer contract of gcv.h: fills `out`, the parameter called `name`, with count
+// elements by calling write(out) once it is known that they fit.
 template <class Element, class Write>
-void fill(std::size_t count, Element* out, std::size_t capacity, std::size_t* required,
-          const char* elements, Write write) {
+void fill(std::size_t count, const char* elements, const char* name, Element* out,
+          std::size_t capacity, std::size_t* required, Write write) {
   require(required, "required");
   if (out == nullptr && capacity != 0) {
-    throw Error(Status::null_argument, "the buffer is NULL, but its capacity is %zu %s", capacity,
+    throw Error(Status::null_argument, "%s is NULL, but its capacity is %zu %s", name, capacity,
                 elements);
   }
   *required = count;
@@ -79,8 +79,8 @@ void fill(std::size_t count, Element* out, std::size_t capacity, std::size_t* re
     return;
   }
   if (capacity < count) {
-    throw Error(Status::buffer_too_small, "the buffer holds %zu %s, %zu are required", capacity,
-                elements, count);
+    throw Error(Status::buffer_too_small, "%s has room for %zu %s, %zu are required", name,
+                capacity, elements, count);
   }
   write(out);
 }

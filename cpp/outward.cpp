@@ -44,7 +44,11 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Tally& tally
                std::move(walk.arriving),
                std::move(walk.leaving)},
               {}};
-  grown.placement = place_simply(grown.ring, tally);
+  try {
+    grown.placement = place_simply(grown.ring, tally);
+  } catch (const Error&) {
+    throw Error(Status::range, "the ring around the outer face goes beyond the largest double");
+  }
   return grown;
 }
 
@@ -91,7 +95,12 @@ RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
   }
   const auto polygon =
       std::make_shared<const Polygon>(make_polygon(nearest.vertices, "the rounded ring"));
-  for (double d = 2 * unit; d <= 64 * unit; d *= 2) {
+  // What the first rounding cut off must be covered, too.
+  double d = 2 * unit;
+  while (d <= nearest.error_bound) {
+    d *= 2;
+  }
+  for (int tries = 0; tries < 6; ++tries, d *= 2) {
     const Grown grown = grow(polygon, d, tally);
     if (grown.placement && sum_bound(nearest.error_bound, grown.placement->error_bound) < d) {
       const double error = std::max(1.5 * d, lost_distance(grown, unit)) + nearest.error_bound +

@@ -162,8 +162,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_create(const double *xy, size_t ver
 /**
  * Makes a polygon from Well-Known Text: "POLYGON ((x y, x y, ...), (hole), ...)".
  *
- * Any letter case and white space; numbers as in C, always with a point, whatever
- * the locale, each read as the nearest double. Rings are closed (the first vertex
+ * Any letter case and white space; decimal numbers, with a point whatever the locale,
+ * with or without exponent, each read as the nearest double. Rings are closed (the first vertex
  * repeated at the end) or not. Holes must be rings of at least three vertices with
  * finite coordinates; they are read and left out, for a hole never changes an
  * outer face. "POLYGON EMPTY" is degenerate.
@@ -389,7 +389,8 @@ enum {
  * Where an edge of the sum comes from. a is a vertex or edge number of A, b one of
  * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
  * vertex k to k+1. Of merged collinear edges, the first along the counter-clockwise
- * ring. Of a vertex passed several times in a row, the last number.
+ * ring. Of a vertex passed several times in a row, the last number; a closing vertex
+ * counts as vertex 0.
  */
 typedef struct gcv_edge_source {
   int32_t kind;
