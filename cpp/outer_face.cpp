@@ -26,6 +26,7 @@
 #include <limits>
 #include <optional>
 
+#include "convex_sum.hpp"
 #include "error.hpp"
 #include "implicit_superset.hpp"
 
@@ -388,6 +389,9 @@ class Walker {
 }  // namespace
 
 Walk walk_outer_face(const Operands& operands, Tally& tally) {
+  if (operands.a.is_convex && operands.b.is_convex) {
+    return merge_convex(operands);
+  }
   return Walker(operands, tally).run();
 }
 

@@ -176,6 +176,8 @@ void mark_convex(Polygon& polygon, Tally& tally) {
     polygon.convex[i] = orientation(polygon.vertices[polygon.previous(i)], polygon.vertices[i],
                                     polygon.vertices[polygon.next(i)], tally) > 0;
   }
+  polygon.is_convex =
+      std::find(polygon.convex.begin(), polygon.convex.end(), 0) == polygon.convex.end();
 }
 
 }  // namespace

@@ -28,6 +28,7 @@ struct Polygon {
 
   // Vertex i is strictly convex, or else strictly reflex.
   std::vector<std::uint8_t> convex;
+  bool is_convex = false;  // all of them are
 
   // Directions up to sign, sorted. The line directions (angles in [0, pi)) that occur
   // are numbered in counter-clockwise order; an edge points along its line direction

@@ -67,10 +67,10 @@ Ring exact(const Polygon& polygon) {
   return ring;
 }
 
-// Two neighbours that bracket x, whichever way the conversion rounds.
+// Doubles close below and above x.
 double below(const Rational& x) {
-  const double d = x.convert_to<double>();
-  return std::nextafter(std::nextafter(d, -HUGE_VAL), -HUGE_VAL);
+  const double towards_zero = mpq_get_d(x.backend().data());
+  return std::nextafter(std::nextafter(towards_zero, -HUGE_VAL), -HUGE_VAL);
 }
 double above(const Rational& x) { return -below(-x); }
 
@@ -305,11 +305,10 @@ std::optional<std::pair<std::size_t, std::size_t>> find_meeting(const Ring& ring
   };
   const std::vector<Box> boxes = edge_boxes(ring);
   for_each_overlap(boxes, boxes, [&](std::size_t i, std::size_t j) {
-    const bool meet =
-        j == (i + 1) % ring.size()
-            ? folds_back(i)
-            : i + 1 < j && (i != 0 || j + 1 != ring.size()) &&
-                  segments_meet(ring[i], next(ring, i), ring[j], next(ring, j));
+    const bool meet = j == (i + 1) % ring.size()
+                          ? folds_back(i)
+                          : i + 1 < j && (i != 0 || j + 1 != ring.size()) &&
+                                segments_meet(ring[i], next(ring, i), ring[j], next(ring, j));
     if (meet) {
       found = {i, j};
     }
@@ -367,6 +366,11 @@ PolygonHandle make(const Polygon& polygon) {
   return PolygonHandle(handle);
 }
 
+bool all_finite(const Polygon& polygon) {
+  return std::all_of(polygon.begin(), polygon.end(),
+                     [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
+}
+
 struct Sum {
   Ring exact;
   Polygon returned;
@@ -387,8 +391,8 @@ Ring exact_ring(const gcv_outer_face* face) {
     std::string text(length, ' ');
     require(gcv_outer_face_exact_vertex(face, k, text.data(), length, &length), "an exact vertex");
     const std::size_t space = text.find(' ');
-    ring.push_back({Rational(text.substr(0, space)),
-                    Rational(text.substr(space + 1, length - space - 2))});
+    ring.push_back(
+        {Rational(text.substr(0, space)), Rational(text.substr(space + 1, length - space - 2))});
   }
   return ring;
 }
@@ -407,6 +411,9 @@ Sum sum(const Polygon& a, const Polygon& b, std::int32_t rounding = GCV_ROUND_NE
   s.sources.resize(edges);
   require(gcv_outer_face_edge_sources(handle, s.sources.data(), edges, &edges), "the sources");
   require(gcv_outer_face_error_bound(handle, &s.error_bound), "the error bound");
+  if (!all_finite(s.returned) || !std::isfinite(s.error_bound)) {
+    throw Failure(GCV_OK, "A returned number is not finite");
+  }
   if (gcv_outer_face_area(handle, &s.area) != GCV_OK) {
     s.area = HUGE_VAL;
   }
@@ -431,7 +438,10 @@ struct Normalised {
 };
 
 Normalised normalise(const Polygon& polygon) {
-  const Ring given = exact(polygon);
+  Ring given = exact(polygon);
+  while (given.size() > 1 && given.back() == given.front()) {
+    given.pop_back();  // a closing vertex counts as vertex 0
+  }
   const std::size_t n = given.size();
   const bool clockwise = twice_area(given) < 0;
   std::vector<std::size_t> order;  // the last of each run of repeated vertices
@@ -445,7 +455,11 @@ Normalised normalise(const Polygon& polygon) {
   for (std::size_t k = 0; k < order.size(); ++k) {
     const std::size_t i = order[k];
     if (orientation(given[previous(order, k)], given[i], given[next(order, k)]) != 0) {
-      normalised.vertex[i] = normalised.ring.size();
+      std::size_t last = i;  // of the run, as passed
+      while (last + 1 < n && given[last + 1] == given[last]) {
+        ++last;
+      }
+      normalised.vertex[last] = normalised.ring.size();
       normalised.edge[clockwise ? (i + n - 1) % n : i] = normalised.ring.size();
       normalised.ring.push_back(given[i]);
     }
@@ -496,9 +510,11 @@ class Check {
       nearest_doubles();
       error_bound(sum_, "the error bound");
       commutes();
-      translates();
-      scales();
-      reflects();
+      if (given_a_.size() + given_b_.size() <= effort_.work) {
+        translates();
+        scales();
+        reflects();
+      }
     } catch (const Failure& failure) {
       note(failure, "a + b");
     }
@@ -681,8 +697,8 @@ class Check {
       const Exact along = next(ring, l) - p;
       const Rational slope = cross(direction, along);
       // An edge on the ray begins or ends in vertices that its neighbours have too.
-      const Rational t =
-          slope == 0 ? dot(p - x, direction) / dot(direction, direction) : cross(p - x, along) / slope;
+      const Rational t = slope == 0 ? dot(p - x, direction) / dot(direction, direction)
+                                    : cross(p - x, along) / slope;
       if (t > 0 && t < least) {
         least = t;
       }
@@ -785,13 +801,17 @@ class Check {
       vectors.push_back({3 * step, -5 * step});
     }
     for (const Point& v : vectors) {
+      if (!all_finite({v})) {
+        continue;
+      }
       const Exact t = exact(v);
-      const Polygon moved =
-          transformed(given_a_, [&](const Point& p) { return Point{p[0] + v[0], p[1] + v[1]}; });
-      const bool is_exact = std::equal(
-          given_a_.begin(), given_a_.end(), moved.begin(), [&](const Point& p, const Point& q) {
-            return std::isfinite(q[0]) && std::isfinite(q[1]) && exact(p) + t == exact(q);
-          });
+      const Polygon moved = transformed(given_a_, [&](const Point& p) {
+        return Point{p[0] + v[0], p[1] + v[1]};
+      });
+      const bool is_exact =
+          all_finite(moved) &&
+          std::equal(given_a_.begin(), given_a_.end(), moved.begin(),
+                     [&](const Point& p, const Point& q) { return exact(p) + t == exact(q); });
       if ((v[0] == 0 && v[1] == 0) || !is_exact) {
         continue;
       }
@@ -817,9 +837,8 @@ class Check {
         return x == 0 || (std::isnormal(x) && std::isnormal(std::ldexp(x, exponent)));
       };
       const auto all_in_range = [&](const Polygon& polygon) {
-        return std::all_of(polygon.begin(), polygon.end(), [&](const Point& p) {
-          return in_range(p[0]) && in_range(p[1]);
-        });
+        return std::all_of(polygon.begin(), polygon.end(),
+                           [&](const Point& p) { return in_range(p[0]) && in_range(p[1]); });
       };
       const bool none_is_lost =
           std::all_of(sum_.exact.begin(), sum_.exact.end(), [&](const Exact& p) {
@@ -849,10 +868,22 @@ class Check {
         broken(std::string("The sum does not follow ") + what + ".");
       }
     };
-    mirrored([](const Point& p) { return Point{-p[0], p[1]}; },
-             [](const Exact& p) { return Exact{-p.x, p.y}; }, "a reflection");
-    mirrored([](const Point& p) { return Point{p[1], p[0]}; },
-             [](const Exact& p) { return Exact{p.y, p.x}; }, "an exchange of the axes");
+    mirrored(
+        [](const Point& p) {
+          return Point{-p[0], p[1]};
+        },
+        [](const Exact& p) {
+          return Exact{-p.x, p.y};
+        },
+        "a reflection");
+    mirrored(
+        [](const Point& p) {
+          return Point{p[1], p[0]};
+        },
+        [](const Exact& p) {
+          return Exact{p.y, p.x};
+        },
+        "an exchange of the axes");
   }
 
   void outward() {

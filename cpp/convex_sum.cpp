@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// In the sum of vertices i and j, the next edges of both polygons lie ahead of the edge
+// that arrived, by less than half a turn each: the one further to the right comes first.
+#include "convex_sum.hpp"
+
+namespace gcv {
+
+Walk merge_convex(const Operands& operands) {
+  const Polygon& a = operands.a;
+  const Polygon& b = operands.b;
+  const Directions& directions = operands.directions;
+  Index i = a.lexicographic_min;
+  Index j = b.lexicographic_min;
+  Index left_of_a = a.size();
+  Index left_of_b = b.size();
+  Walk walk;
+  PairEdge arriving{};
+  while (left_of_a + left_of_b > 0) {
+    const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
+    const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);
+    const bool take_b = left_of_a == 0 || (left_of_b > 0 && (!take_a || angle == 0));
+    walk.vertices.push_back({true, i, j});
+    walk.leaving.push_back({take_a ? PairEdge::translated : PairEdge::corner, i, j});
+    walk.arriving.push_back(arriving);
+    if (take_a) {
+      arriving = {PairEdge::translated, i, j};
+      i = a.next(i);
+      --left_of_a;
+    }
+    if (take_b) {
+      arriving = {PairEdge::corner, i, j};
+      j = b.next(j);
+      --left_of_b;
+    }
+  }
+  walk.arriving.front() = arriving;
+  walk.steps = walk.vertices.size();
+  return walk;
+}
+
+}  // namespace gcv

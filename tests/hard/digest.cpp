@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One digest for each family of the catalogue, over all that the library says of its sums:
+// coordinates to the last bit, sources, bounds, in both roundings. They are the same for
+// every compiler and every level of optimisation.
+//
+//   digest           prints them
+//   digest FILE      compares them with the ones in the file
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <sstream>
+#include <string>
+
+#include "catalogue.hpp"
+#include "gcv/gcv.h"
+
+namespace gcv::hard {
+namespace {
+
+// FNV-1a, 64 bits.
+class Digest {
+ public:
+  void add(const void* data, std::size_t size) {
+    const auto* const bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t k = 0; k < size; ++k) {
+      value_ = (value_ ^ bytes[k]) * 0x100000001b3;
+    }
+  }
+  template <class T>
+  void add(const std::vector<T>& values) {
+    add(values.data(), values.size() * sizeof(T));
+  }
+  [[nodiscard]] std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+gcv_polygon* polygon(const Polygon& ring) {
+  gcv_polygon* result = nullptr;
+  if (gcv_polygon_create(ring.front().data(), ring.size(), 0, &result) != GCV_OK) {
+    std::cerr << gcv_last_error_message() << '\n';
+  }
+  return result;
+}
+
+void add_face(Digest& digest, const gcv_outer_face* face) {
+  std::size_t count = 0;
+  bool read = gcv_outer_face_vertex_count(face, &count) == GCV_OK;
+  std::vector<double> xy(2 * count);
+  read = read && gcv_outer_face_vertices(face, xy.data(), count, &count) == GCV_OK;
+  read = read && gcv_outer_face_exact_vertex_count(face, &count) == GCV_OK;
+  std::vector<gcv_edge_source> sources(count);
+  read = read && gcv_outer_face_edge_sources(face, sources.data(), count, &count) == GCV_OK;
+  double bound = 0;
+  read = read && gcv_outer_face_error_bound(face, &bound) == GCV_OK;
+  digest.add(&read, sizeof read);
+  digest.add(xy);
+  digest.add(sources);
+  digest.add(&bound, sizeof bound);
+}
+
+std::uint64_t digest_of(const Pairs& pairs) {
+  Digest digest;
+  for (const Pair& pair : pairs) {
+    gcv_polygon* const a = polygon(pair.a);
+    gcv_polygon* const b = polygon(pair.b);
+    for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
+      gcv_options options = GCV_OPTIONS_INIT;
+      options.rounding = rounding;
+      gcv_outer_face* face = nullptr;
+      const gcv_status status = gcv_minkowski_sum(a, b, &options, &face);
+      digest.add(&status, sizeof status);
+      if (status == GCV_OK) {
+        add_face(digest, face);
+      }
+      gcv_outer_face_destroy(face);
+    }
+    gcv_polygon_destroy(a);
+    gcv_polygon_destroy(b);
+  }
+  return digest.value();
+}
+
+std::string all_digests() {
+  std::ostringstream text;
+  for (const auto theme : {fits, directions, coincidences, curves, magnitudes}) {
+    for (const Family& family : theme()) {
+      text << family.name << ' ' << std::hex << digest_of(family.pairs()) << '\n';
+    }
+  }
+  return text.str();
+}
+
+}  // namespace
+}  // namespace gcv::hard
+
+int main(int argc, char** argv) {
+  const std::string digests = gcv::hard::all_digests();
+  std::cout << digests;
+  if (argc < 2) {
+    return 0;
+  }
+  std::ifstream file(argv[1]);
+  const std::string kept{std::istreambuf_iterator<char>(file), {}};
+  if (kept != digests) {
+    std::cout << "differs from " << argv[1] << ":\n" << kept;
+    return 1;
+  }
+  return 0;
+}
