@@ -165,7 +165,7 @@ class Results(TestInFolder):
         self.assertEqual(vertices(done.stdout), self.RING)
         self.assertIn("outer face  5 vertices, area 8.5, error bound 0\n", done.stderr)
         self.assertRegex(done.stderr, r"time +\d+\.\d{3} ms\n")
-        self.assertRegex(done.stderr, r"walk +[1-9]\d* steps, [1-9]\d* candidate edges\n")
+        self.assertRegex(done.stderr, r"walk +[1-9]\d* steps, \d+ candidate edges\n")
 
     def test_help(self):
         done = run("outer_face", "--help")
