@@ -25,6 +25,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <tuple>
 
 #include "convex_sum.hpp"
 #include "error.hpp"
@@ -200,9 +201,12 @@ class Walker {
     return e.from.y < e.to.y ? order : -order;
   }
 
-  // Does e reach further than f? Both lie on one line, in the same direction.
-  bool reaches_further(const Line& e, const Line& f) {
-    return compare_along(f.at, end_point(f.edge), end_point(e.edge)) > 0;
+  // Of edges on one line, in the same direction, the one that reaches furthest is walked;
+  // of those, the first by kind and indices, so that the order of the search tells nothing.
+  bool preferred(const Line& e, const Line& f) {
+    const int order = compare_along(f.at, end_point(f.edge), end_point(e.edge));
+    const auto key = [](const Line& t) { return std::tuple(t.edge.kind, t.edge.i, t.edge.j); };
+    return order > 0 || (order == 0 && key(e) < key(f));
   }
 
   // Of the two edges that start in lexmin(A) + lexmin(B), the more clockwise one.
@@ -211,7 +215,7 @@ class Walker {
     const PairEdge corner{PairEdge::corner, i, j};
     const Rank angle = directions_.angle(operands_.rank(translated), operands_.rank(corner));
     if (angle == 0) {
-      return reaches_further(line_of(translated), line_of(corner)) ? translated : corner;
+      return preferred(line_of(translated), line_of(corner)) ? translated : corner;
     }
     return angle < directions_.half_turn ? translated : corner;
   }
@@ -309,7 +313,7 @@ class Walker {
     const Rank rank = operands_.rank(s.edge);
     const Rank angle = directions_.angle(rank, operands_.rank(event.line.edge));
     const Rank best_angle = directions_.angle(rank, operands_.rank(best->line.edge));
-    return angle < best_angle || (angle == best_angle && reaches_further(event.line, best->line));
+    return angle < best_angle || (angle == best_angle && preferred(event.line, best->line));
   }
 
   static void take_sum(Place& place, const Place& sum) {
@@ -347,7 +351,7 @@ class Walker {
       if (!leaves(t, end, q)) {
         return;
       }
-      if (!best || angle(t) < angle(*best) || reaches_further(t, *best)) {
+      if (!best || angle(t) < angle(*best) || preferred(t, *best)) {
         best = t;
       }
     };

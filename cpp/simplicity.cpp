@@ -12,6 +12,7 @@
 #include <iterator>
 #include <numeric>
 #include <set>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -171,6 +172,10 @@ class PairSearch {
 
   std::vector<Conflict> run() {
     within(tree_.root());
+    // In an order that the shape of the tree has no part in.
+    std::sort(conflicts_.begin(), conflicts_.end(), [](const Conflict& a, const Conflict& b) {
+      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+    });
     return std::move(conflicts_);
   }
 
@@ -221,7 +226,7 @@ class PairSearch {
 
   void test(Edge e, Edge f) {
     if (conflicting(e, f)) {
-      conflicts_.push_back({e, f});
+      conflicts_.push_back({std::min(e, f), std::max(e, f)});
     }
   }
 

@@ -30,6 +30,25 @@ Pairs near_parallel_edges() {
   return pairs;
 }
 
+// Shapes squeezed onto a diagonal, one of them tiny: spikes and slits of 1e-12 radians,
+// most of which rounding closes.
+Pairs squeezed_shapes() {
+  Random random(14);
+  Pairs pairs;
+  for (int k = 0; k < 100; ++k) {
+    const Map squeeze{1, 1, 1, 1 + std::ldexp(1.0, -uniform(random, 20, 42))};
+    const auto star = [&] {
+      return mapped(symmetric_star(uniform(random, 8, 12), uniform(random, 5, 9), 1), squeeze);
+    };
+    const Polygon a = star();
+    const Polygon b = scaled(star(), std::ldexp(1.0, -uniform(random, 0, 30)));
+    if (invariants::is_simple(a) && invariants::is_simple(b)) {
+      pairs.insert(pairs.end(), {{a, b}, {moved(a, 512, 128), b}});
+    }
+  }
+  return pairs;
+}
+
 // Quotients of successive Fibonacci numbers differ by less than the spacing of doubles,
 // alternately upwards and downwards.
 Pairs fibonacci_directions() {
@@ -113,6 +132,7 @@ Pairs needles() {
 
 std::vector<Family> directions() {
   return {{"near_parallel_edges", near_parallel_edges},
+          {"squeezed_shapes", squeezed_shapes, {.may_be_out_of_range = true}},
           {"fibonacci_directions", fibonacci_directions},
           {"identical_regular_polygons", identical_regular_polygons},
           {"regular_polygons", regular_polygons},

@@ -251,7 +251,8 @@ typedef struct gcv_options {
 } gcv_options;
 
 /** The default options, as an initialiser. */
-#define GCV_OPTIONS_INIT {sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0}
+#define GCV_OPTIONS_INIT \
+  { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0 }
 
 /** Sets the default options. NULL is allowed and does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
