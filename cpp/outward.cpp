@@ -85,7 +85,7 @@ double lost_distance(const Grown& grown, double unit) {
 }  // namespace
 
 RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
-  const RoundedRing nearest = round_to_nearest(ring, tally);
+  RoundedRing nearest = round_to_nearest(ring, tally);
   if (nearest.error_bound == 0) {
     return nearest;
   }
@@ -100,7 +100,7 @@ RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
   while (d <= nearest.error_bound) {
     d *= 2;
   }
-  for (int tries = 0; tries < 6; ++tries, d *= 2) {
+  for (int tries = 0; tries < 6; ++tries) {
     const Grown grown = grow(polygon, d, tally);
     if (grown.placement && sum_bound(nearest.error_bound, grown.placement->error_bound) < d) {
       const double error = std::max(1.5 * d, lost_distance(grown, unit)) + nearest.error_bound +
@@ -109,6 +109,7 @@ RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
               std::nextafter(error * (1 + 0x1p-50), HUGE_VAL),
               nearest.vertices_repaired + grown.placement->repaired};
     }
+    d *= 2;
   }
   throw Error(Status::range, "no ring of doubles close around the outer face was found");
 }

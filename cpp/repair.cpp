@@ -88,10 +88,10 @@ class Separator {
   // Vertices that fell together move together.
   void move() {
     std::size_t k = 0;
-    for (std::size_t i = 0; i < ring_.source.size(); ++i) {
-      const Point& sum = demands_[ring_.source[i]];
+    for (const std::size_t last : ring_.source) {
+      const Point& sum = demands_[last];
       const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
-      for (; k <= ring_.source[i]; ++k) {
+      for (; k <= last; ++k) {
         shift(k, sum, length);
       }
     }
