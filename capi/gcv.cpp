@@ -237,7 +237,7 @@ gcv_status gcv_polygon_bounds(const gcv_polygon* polygon, double out[4]) {
   return guarded([&] {
     require(polygon, "polygon");
     require(out, "out");
-    const gcv::Box& box = polygon->polygon->bounds();
+    const gcv::Box& box = polygon->polygon->bounds;
     out[0] = box.x0;
     out[1] = box.y0;
     out[2] = box.x1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A binary tree of boxes over the boundary chain of a polygon. A leaf covers a few
-// consecutive edges, every other node the edges of one or two children. The shape of
-// the tree follows from the number of vertices alone.
+// A binary tree of boxes over the edges of a boundary chain, or others in an order in which
+// neighbours are near: a leaf is one edge, every other node the edges of its two children.
+// The shape of the tree follows from the number of edges alone.
 #pragma once
 
 #include <cstddef>
@@ -15,51 +15,79 @@
 namespace gcv {
 
 struct ChainTree {
-  static constexpr std::uint32_t leaf_size = 4;
-
-  // A node: the k-th from the left on its level; level 0 are the leaves.
+  // In preorder: the left child follows its parent. Leaves have no right child.
   struct Node {
-    std::uint32_t level;
-    std::uint32_t k;
+    Box box;              // of the edges below, both ends included
+    std::uint32_t right;  // the right child; 0 for a leaf
+    std::uint32_t first;  // the first edge below
   };
+  std::vector<Node> nodes;
 
-  std::vector<std::uint32_t> level_begin;  // index of each level's first node in boxes
-  std::vector<Box> boxes;                  // of the edges below a node, both ends included
-  std::uint32_t vertex_count = 0;
-
-  [[nodiscard]] std::size_t index(Node node) const { return level_begin[node.level] + node.k; }
-  [[nodiscard]] Node root() const {
-    return {static_cast<std::uint32_t>(level_begin.size() - 1), 0};
-  }
-  [[nodiscard]] std::uint32_t level_size(std::uint32_t level) const {
-    const std::size_t end = level + 1 < level_begin.size() ? level_begin[level + 1] : boxes.size();
-    return static_cast<std::uint32_t>(end - level_begin[level]);
-  }
-  // A node above the leaves has a left child 2k, and a right child 2k + 1 if that exists.
-  [[nodiscard]] bool has_right_child(Node node) const {
-    return 2 * node.k + 1 < level_size(node.level - 1);
-  }
-  // The edges i in [first, last) of a leaf.
-  [[nodiscard]] static std::uint32_t first_edge(std::uint32_t leaf) { return leaf * leaf_size; }
-  [[nodiscard]] std::uint32_t last_edge(std::uint32_t leaf) const {
-    const std::uint32_t end = (leaf + 1) * leaf_size;
-    return end < vertex_count ? end : vertex_count;
-  }
-
-  // Fills every level above the leaves from the one below: node = combine(left, right).
+  // Fills values[k] of every inner node k from its children's: combine(left, right).
   template <class Value, class Combine>
   void gather(std::vector<Value>& values, Combine combine) const {
-    for (std::uint32_t level = 1; level < level_begin.size(); ++level) {
-      for (std::uint32_t k = 0; k < level_size(level); ++k) {
-        const std::size_t left = index({level - 1, 2 * k});
-        values[index({level, k})] =
-            has_right_child({level, k}) ? combine(values[left], values[left + 1]) : values[left];
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+      if (nodes[k].right != 0) {
+        values[k] = combine(values[k + 1], values[nodes[k].right]);
       }
     }
   }
 };
 
-// The tree of the closed ring. At least one vertex.
+// The box of the segment pq.
+Box box_of(const Point& p, const Point& q);
+
+// The tree over edges with these boxes; at least one.
+ChainTree build_chain_tree(std::span<const Box> edges);
+
+// The tree over the edges of the closed ring.
 ChainTree build_chain_tree(std::span<const Point> ring);
+
+inline bool overlap(const Box& a, const Box& b) {
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}
+
+// Calls visit(i, j) for every pair of edges whose boxes overlap, once.
+template <class Visit>
+class OverlappingPairs {
+ public:
+  OverlappingPairs(const ChainTree& tree, Visit& visit)
+      : nodes_(tree.nodes.data()), visit_(visit) {}
+
+  void within(std::uint32_t node) {
+    const std::uint32_t right = nodes_[node].right;
+    if (right != 0) {
+      within(node + 1);
+      within(right);
+      between(node + 1, right);
+    }
+  }
+
+ private:
+  void between(std::uint32_t k, std::uint32_t l) {
+    const ChainTree::Node& first = nodes_[k];
+    const ChainTree::Node& second = nodes_[l];
+    if (!overlap(first.box, second.box)) {
+      return;
+    }
+    if (first.right == 0 && second.right == 0) {
+      visit_(first.first, second.first);
+    } else if (second.right == 0) {
+      between(k + 1, l);
+      between(first.right, l);
+    } else {
+      between(k, l + 1);
+      between(k, second.right);
+    }
+  }
+
+  const ChainTree::Node* nodes_;
+  Visit& visit_;
+};
+
+template <class Visit>
+void for_each_overlapping_pair(const ChainTree& tree, Visit visit) {
+  OverlappingPairs<Visit>(tree, visit).within(0);
+}
 
 }  // namespace gcv

@@ -11,6 +11,19 @@ namespace gcv {
 
 namespace {
 
+template <class Integer>
+std::string to_text(const Integer& value) {
+  return value.str();
+}
+
+// Boost's own way leaks GMP's text where there is no memory for a copy of it.
+std::string to_text(const BigInteger& value) {
+  std::string text(mpz_sizeinbase(value.backend().data(), 10) + 2, '\0');
+  mpz_get_str(text.data(), 10, value.backend().data());
+  text.resize(text.find('\0'));
+  return text;
+}
+
 // n / w * 2^exponent in lowest terms.
 template <class Integer>
 std::string fraction(Integer n, Integer w, int exponent) {
@@ -20,7 +33,7 @@ std::string fraction(Integer n, Integer w, int exponent) {
     w <<= -exponent;
   }
   const Integer divisor = gcd(n, w);
-  return Integer(n / divisor).str() + "/" + Integer(w / divisor).str();
+  return to_text(Integer(n / divisor)) + "/" + to_text(Integer(w / divisor));
 }
 
 }  // namespace

@@ -21,19 +21,17 @@ Sectors ImplicitSuperset::sectors(const RankRange& range) const {
 
 std::vector<ImplicitSuperset::NodeSectors> ImplicitSuperset::node_sectors(
     const Polygon& polygon, const std::vector<Rank>& ranks) const {
-  const ChainTree& tree = polygon.tree;
-  std::vector<NodeSectors> result(tree.boxes.size());
-  for (Index leaf = 0; leaf < tree.level_size(0); ++leaf) {
-    NodeSectors node{0, 0};
-    for (Index i = ChainTree::first_edge(leaf); i < tree.last_edge(leaf); ++i) {
-      node.edges |= sectors({ranks[i], ranks[i]});
-      if (polygon.convex[i] != 0) {
-        node.cones |= sectors({ranks[polygon.previous(i)], ranks[i]});
-      }
+  const std::vector<ChainTree::Node>& nodes = polygon.tree.nodes;
+  std::vector<NodeSectors> result(nodes.size());
+  for (std::size_t k = 0; k < nodes.size(); ++k) {
+    if (nodes[k].right == 0) {
+      const Index i = nodes[k].first;
+      result[k].edges = sectors({ranks[i], ranks[i]});
+      result[k].cones =
+          polygon.convex[i] != 0 ? sectors({ranks[polygon.previous(i)], ranks[i]}) : 0;
     }
-    result[leaf] = node;
   }
-  tree.gather(result, [](const NodeSectors& l, const NodeSectors& r) {
+  polygon.tree.gather(result, [](const NodeSectors& l, const NodeSectors& r) {
     return NodeSectors{l.edges | r.edges, l.cones | r.cones};
   });
   return result;

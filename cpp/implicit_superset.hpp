@@ -39,8 +39,10 @@ class ImplicitSuperset {
   // The answers of `reaches` may become stricter during the visit.
   template <class Reaches, class Nearness, class Visit>
   void search(const RankRange& range, Reaches reaches, Nearness nearness, Visit visit) const {
-    Search<Reaches, Nearness, Visit> search{*this, range, sectors(range), reaches, nearness, visit};
-    search.descend(operands_.a.tree.root(), operands_.b.tree.root());
+    Search<Reaches, Nearness, Visit> search{
+        operands_,      sectors_a_.data(), sectors_b_.data(), range,
+        sectors(range), reaches,           nearness,          visit};
+    search.descend(0, 0);
   }
 
  private:
@@ -51,74 +53,57 @@ class ImplicitSuperset {
 
   template <class Reaches, class Nearness, class Visit>
   struct Search {
-    const ImplicitSuperset& superset;
+    const Operands& operands;
+    const NodeSectors* sectors_a;
+    const NodeSectors* sectors_b;
     const RankRange& range;
     Sectors wanted;
     Reaches& reaches;
     Nearness& nearness;
     Visit& visit;
 
-    [[nodiscard]] const Operands& operands() const { return superset.operands_; }
-    [[nodiscard]] const Box& box_a(ChainTree::Node node) const {
-      return operands().a.tree.boxes[operands().a.tree.index(node)];
-    }
-    [[nodiscard]] const Box& box_b(ChainTree::Node node) const {
-      return operands().b.tree.boxes[operands().b.tree.index(node)];
-    }
-    [[nodiscard]] bool in_range(Rank rank) const {
-      const Directions& directions = operands().directions;
-      return directions.angle(range.first, rank) <= directions.angle(range.first, range.last);
-    }
-
-    void descend(ChainTree::Node na, ChainTree::Node nb) {
-      const NodeSectors& sa = superset.sectors_a_[operands().a.tree.index(na)];
-      const NodeSectors& sb = superset.sectors_b_[operands().b.tree.index(nb)];
-      if ((((sa.edges & sb.cones) | (sa.cones & sb.edges)) & wanted) == 0 ||
-          !reaches(box_a(na), box_b(nb))) {
-        return;
-      }
-      if (na.level == 0 && nb.level == 0) {
-        visit_leaves(na, nb);
-      } else if (nb.level == 0 || (na.level != 0 && extent(box_a(na)) >= extent(box_b(nb)))) {
-        const ChainTree::Node left{na.level - 1, 2 * na.k};
-        if (!operands().a.tree.has_right_child(na)) {
-          descend(left, nb);
-          return;
-        }
-        const ChainTree::Node right{na.level - 1, 2 * na.k + 1};
-        const bool right_first =
-            nearness(box_a(right), box_b(nb)) < nearness(box_a(left), box_b(nb));
-        descend(right_first ? right : left, nb);
-        descend(right_first ? left : right, nb);
-      } else {
-        const ChainTree::Node left{nb.level - 1, 2 * nb.k};
-        if (!operands().b.tree.has_right_child(nb)) {
-          descend(na, left);
-          return;
-        }
-        const ChainTree::Node right{nb.level - 1, 2 * nb.k + 1};
-        const bool right_first =
-            nearness(box_a(na), box_b(right)) < nearness(box_a(na), box_b(left));
-        descend(na, right_first ? right : left);
-        descend(na, right_first ? left : right);
-      }
+    [[nodiscard]] bool matters(Index ka, Index kb) const {
+      const NodeSectors& sa = sectors_a[ka];
+      const NodeSectors& sb = sectors_b[kb];
+      return (((sa.edges & sb.cones) | (sa.cones & sb.edges)) & wanted) != 0 &&
+             reaches(operands.a.tree.nodes[ka].box, operands.b.tree.nodes[kb].box);
     }
 
     static double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
-    void visit_leaves(ChainTree::Node na, ChainTree::Node nb) {
-      const ChainTree& ta = operands().a.tree;
-      const ChainTree& tb = operands().b.tree;
-      const Directions& directions = operands().directions;
-      for (Index i = ChainTree::first_edge(na.k); i < ta.last_edge(na.k); ++i) {
-        for (Index j = ChainTree::first_edge(nb.k); j < tb.last_edge(nb.k); ++j) {
-          if (in_range(directions.rank_a[i]) && operands().b_contributes(j, directions.rank_a[i])) {
-            visit(PairEdge{PairEdge::translated, i, j});
-          }
-          if (in_range(directions.rank_b[j]) && operands().a_contributes(i, directions.rank_b[j])) {
-            visit(PairEdge{PairEdge::corner, i, j});
-          }
-        }
+    void descend(Index ka, Index kb) {
+      if (!matters(ka, kb)) {
+        return;
+      }
+      const ChainTree::Node& na = operands.a.tree.nodes[ka];
+      const ChainTree::Node& nb = operands.b.tree.nodes[kb];
+      if (na.right == 0 && nb.right == 0) {
+        visit_pair(na.first, nb.first);
+      } else if (nb.right == 0 || (na.right != 0 && extent(na.box) >= extent(nb.box))) {
+        const bool right_first = nearness(operands.a.tree.nodes[na.right].box, nb.box) <
+                                 nearness(operands.a.tree.nodes[ka + 1].box, nb.box);
+        descend(right_first ? na.right : ka + 1, kb);
+        descend(right_first ? ka + 1 : na.right, kb);
+      } else {
+        const bool right_first = nearness(na.box, operands.b.tree.nodes[nb.right].box) <
+                                 nearness(na.box, operands.b.tree.nodes[kb + 1].box);
+        descend(ka, right_first ? nb.right : kb + 1);
+        descend(ka, right_first ? kb + 1 : nb.right);
+      }
+    }
+
+    [[nodiscard]] bool in_range(Rank rank) const {
+      const Directions& directions = operands.directions;
+      return directions.angle(range.first, rank) <= directions.angle(range.first, range.last);
+    }
+
+    void visit_pair(Index i, Index j) {
+      const Directions& directions = operands.directions;
+      if (in_range(directions.rank_a[i]) && operands.b_contributes(j, directions.rank_a[i])) {
+        visit(PairEdge{PairEdge::translated, i, j});
+      }
+      if (in_range(directions.rank_b[j]) && operands.a_contributes(i, directions.rank_b[j])) {
+        visit(PairEdge{PairEdge::corner, i, j});
       }
     }
   };

@@ -30,6 +30,7 @@
 #include "convex_sum.hpp"
 #include "error.hpp"
 #include "implicit_superset.hpp"
+#include "local_superset.hpp"
 
 namespace gcv {
 
@@ -60,58 +61,67 @@ struct Event {
 
 double clamp_to_unit(double parameter) { return std::min(std::max(parameter, 0.0), 1.0); }
 
-// The part of an edge s that is searched, from `from` to `to`, relative to its origin.
-// Boxes of sums are compared with it with some slack: each difference of coordinates is
-// off by at most u times the extents of both polygons, E. A box side is off by 2uE, an
-// end of the segment by 4uE; in the test of the separating line, twice a box's centre
-// and twice its half width are each off by 6uE, and rounding the direction, the products
-// and the sums adds 8uE to each, all times |dx| + |dy|. `slack` is 32uE. The smallest
+// The part of an edge s that is searched, from `from` to `to`, in relative coordinates.
+// With u times the extents of both polygons, uE, as the unit: a box side is off by 2, an
+// end of the segment by 5; in the test of the separating line, twice the offset of a
+// box's centre is off by 12 and twice its half width by 5, and rounding the direction, the
+// products and the sums adds 20 in all, times |dx| + |dy|. `slack` is 32. The smallest
 // normal double covers underflow. Where anything overflows, no box is dropped.
 class Segment {
  public:
-  Segment(const SumEdge& s, const Point& from, const Point& to, double slack)
-      : s_(s), from_(from), to_(to), slack_(slack) {}
+  Segment(const SumEdge& s, const Point& origin, const Point& from, const Point& to, double slack)
+      : dx_(s.dx), dy_(s.dy), origin_(origin), from_(from), to_(to), slack_(slack) {}
 
   void shorten(const Point& to) { to_ = to; }
 
   [[nodiscard]] bool meets(const Box& a, const Box& b) const {
-    const double x0 = (a.x0 - s_.origin.a.x) + (b.x0 - s_.origin.b.x);
-    const double x1 = (a.x1 - s_.origin.a.x) + (b.x1 - s_.origin.b.x);
-    const double y0 = (a.y0 - s_.origin.a.y) + (b.y0 - s_.origin.b.y);
-    const double y1 = (a.y1 - s_.origin.a.y) + (b.y1 - s_.origin.b.y);
+    const double x0 = a.x0 + b.x0;
+    const double x1 = a.x1 + b.x1;
+    const double y0 = a.y0 + b.y0;
+    const double y1 = a.y1 + b.y1;
     if (x1 < std::min(from_.x, to_.x) - slack_ || x0 > std::max(from_.x, to_.x) + slack_ ||
         y1 < std::min(from_.y, to_.y) - slack_ || y0 > std::max(from_.y, to_.y) + slack_) {
       return false;
     }
-    const double dx = std::abs(s_.dx);
-    const double dy = std::abs(s_.dy);
-    const double distance = std::abs(s_.dx * (y0 + y1) - s_.dy * (x0 + x1));
+    const double dx = std::abs(dx_);
+    const double dy = std::abs(dy_);
+    const double distance =
+        std::abs(dx_ * (y0 + y1 - 2 * origin_.y) - dy_ * (x0 + x1 - 2 * origin_.x));
     const double radius = dx * (y1 - y0) + dy * (x1 - x0);
     return !(distance > radius + 2 * (dx + dy) * slack_ + std::numeric_limits<double>::min());
   }
 
   // How early along s the sum of two boxes begins, up to a constant.
   [[nodiscard]] double nearness(const Box& a, const Box& b) const {
-    return s_.dx * (s_.dx > 0 ? a.x0 + b.x0 : a.x1 + b.x1) +
-           s_.dy * (s_.dy > 0 ? a.y0 + b.y0 : a.y1 + b.y1);
+    return dx_ * (dx_ > 0 ? a.x0 + b.x0 : a.x1 + b.x1) +
+           dy_ * (dy_ > 0 ? a.y0 + b.y0 : a.y1 + b.y1);
   }
 
  private:
-  const SumEdge& s_;
+  double dx_;
+  double dy_;
+  Point origin_;
   Point from_;
   Point to_;
   double slack_;
 };
 
+double slack_of(const Operands& operands) {
+  const Box& a = operands.a.bounds;
+  const Box& b = operands.b.bounds;
+  const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
+  return 32 * unit_roundoff * extents + std::numeric_limits<double>::min();
+}
+
 class Walker {
  public:
   Walker(const Operands& operands, Tally& tally)
-      : operands_(operands), directions_(operands.directions), superset_(operands), tally_(tally) {
-    const Box& a = operands.a.bounds();
-    const Box& b = operands.b.bounds();
-    const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
-    slack_ = 32 * unit_roundoff * extents + std::numeric_limits<double>::min();
-  }
+      : operands_(operands),
+        directions_(operands.directions),
+        superset_(operands),
+        slack_(slack_of(operands)),
+        local_(superset_, slack_),
+        tally_(tally) {}
 
   Walk run() {
     const Index i0 = operands_.a.lexicographic_min;
@@ -222,15 +232,23 @@ class Walker {
 
   [[nodiscard]] Rank wrapped(Rank rank) const { return rank % (2 * directions_.half_turn); }
 
-  // A place on s, relative to its origin, not beyond its exact position.
-  [[nodiscard]] Point relative_position(const SumEdge& s, const Place& place) const {
-    if (place.is_sum) {
-      const SumPoint p = point(place.i, place.j);
-      return {(p.a.x - s.origin.a.x) + (p.b.x - s.origin.b.x),
-              (p.a.y - s.origin.a.y) + (p.b.y - s.origin.b.y)};
-    }
-    const double parameter = clamp_to_unit(place.parameter.lo);
-    return {parameter * s.dx, parameter * s.dy};
+  // The sum of the vertices i and j in relative coordinates.
+  [[nodiscard]] Point relative(Index i, Index j) const {
+    const Point& p = operands_.a.relative[i];
+    const Point& q = operands_.b.relative[j];
+    return {p.x + q.x, p.y + q.y};
+  }
+
+  // A point on the line in relative coordinates.
+  [[nodiscard]] Point relative_on(const Line& s, double parameter) const {
+    const Point origin = relative(s.edge.i, s.edge.j);
+    return {origin.x + parameter * s.at.dx, origin.y + parameter * s.at.dy};
+  }
+
+  // A place on s in relative coordinates, not beyond its exact position.
+  [[nodiscard]] Point relative_position(const Line& s, const Place& place) const {
+    return place.is_sum ? relative(place.i, place.j)
+                        : relative_on(s, clamp_to_unit(place.parameter.lo));
   }
 
   // The first point on s, beyond `place`, in which an edge leaves to the right (fact 3),
@@ -239,29 +257,42 @@ class Walker {
     const Rank rank = operands_.rank(s.edge);
     const Rank half_turn = directions_.half_turn;
     const RankRange right{wrapped(rank + half_turn + 1), wrapped(rank + 2 * half_turn - 1)};
-    Segment segment(s.at, relative_position(s.at, place), {s.at.dx, s.at.dy}, slack_);
+    const Point origin = relative(s.edge.i, s.edge.j);
+    const Point from = relative_position(s, place);
+    const Point to = relative_on(s, 1);
     std::optional<Event> best;
+    const auto consider = [&](const PairEdge& e) {
+      ++walk_.candidates;
+      const Line t = line_of(e);
+      const Place end = end_of(e);
+      if (side_of_sum(s, end.i, end.j) >= 0) {
+        return false;
+      }
+      const int start_side = side_of_sum(s, e.i, e.j);
+      if (start_side < 0) {
+        return false;
+      }
+      Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
+      if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
+        return false;
+      }
+      best = event;
+      return true;
+    };
+    const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+    if ((local_.covers(from) && local_.covers(to)) ||
+        (length < local_.reach() && local_.gather(from, 0))) {
+      local_.for_each_to_the_right(right, origin, s.at.dx, s.at.dy, consider);
+      return best;
+    }
+    Segment segment(s.at, origin, from, to, slack_);
     superset_.search(
         right, [&](const Box& a, const Box& b) { return segment.meets(a, b); },
         [&](const Box& a, const Box& b) { return segment.nearness(a, b); },
         [&](const PairEdge& e) {
-          ++walk_.candidates;
-          const Line t = line_of(e);
-          const Place end = end_of(e);
-          if (side_of_sum(s, end.i, end.j) >= 0) {
-            return;
+          if (consider(e)) {
+            segment.shorten(relative_on(s, clamp_to_unit(best->place.parameter.hi)));
           }
-          const int start_side = side_of_sum(s, e.i, e.j);
-          if (start_side < 0) {
-            return;
-          }
-          Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
-          if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
-            return;
-          }
-          best = event;
-          const double parameter = clamp_to_unit(event.place.parameter.hi);
-          segment.shorten({parameter * s.at.dx, parameter * s.at.dy});
         });
     return best;
   }
@@ -344,6 +375,7 @@ class Walker {
       return directions_.angle(rank, operands_.rank(t.edge));
     };
     const auto consider = [&](const PairEdge& e) {
+      ++walk_.candidates;
       const Line t = line_of(e);
       if (best && angle(t) > angle(*best)) {
         return;
@@ -355,16 +387,16 @@ class Walker {
         best = t;
       }
     };
-    const SumEdge here{q, {}, {}, 0, 0};
-    const Segment segment(here, {0, 0}, {0, 0}, slack_);
-    superset_.search(
-        {rank, wrapped(rank + directions_.half_turn - 1)},
-        [&](const Box& a, const Box& b) { return segment.meets(a, b); },
-        [](const Box&, const Box&) { return 0.0; },
-        [&](const PairEdge& e) {
-          ++walk_.candidates;
-          consider(e);
-        });
+    const Point here = relative(end.i, end.j);
+    const RankRange onwards{rank, wrapped(rank + directions_.half_turn - 1)};
+    if (local_.covers(here) || local_.gather(here, 0)) {
+      local_.for_each_through(onwards, here, consider);
+    } else {
+      const Segment segment({}, here, here, here, slack_);
+      superset_.search(
+          onwards, [&](const Box& a, const Box& b) { return segment.meets(a, b); },
+          [](const Box&, const Box&) { return 0.0; }, consider);
+    }
     if (!best) {
       throw Error(Status::internal,
                   "no superset edge leads on from vertex %u of a + vertex %u of b",
@@ -385,8 +417,9 @@ class Walker {
   const Operands& operands_;
   const Directions& directions_;
   ImplicitSuperset superset_;
+  double slack_;
+  LocalSuperset local_;
   Tally& tally_;
-  double slack_ = 0;
   Walk walk_;
 };
 

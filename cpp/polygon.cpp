@@ -180,6 +180,19 @@ void mark_convex(Polygon& polygon, Tally& tally) {
       std::find(polygon.convex.begin(), polygon.convex.end(), 0) == polygon.convex.end();
 }
 
+void prepare_searches(Polygon& polygon) {
+  const Point& origin = polygon.vertices.front();
+  polygon.bounds = {origin.x, origin.y, origin.x, origin.y};
+  Box& bounds = polygon.bounds;
+  polygon.relative.reserve(polygon.size());
+  for (const Point& p : polygon.vertices) {
+    polygon.relative.push_back({p.x - origin.x, p.y - origin.y});
+    bounds = {std::min(bounds.x0, p.x), std::min(bounds.y0, p.y), std::max(bounds.x1, p.x),
+              std::max(bounds.y1, p.y)};
+  }
+  polygon.tree = build_chain_tree(polygon.relative);
+}
+
 }  // namespace
 
 Polygon make_polygon(std::span<const Point> boundary, const char* name) {
@@ -213,7 +226,7 @@ Polygon make_polygon(std::span<const Point> boundary, const char* name) {
       polygon.vertices.begin());
   mark_convex(polygon, tally);
   sort_directions(polygon, tally);
-  polygon.tree = build_chain_tree(polygon.vertices);
+  prepare_searches(polygon);
   return polygon;
 }
 
@@ -223,9 +236,16 @@ Polygon reflected(const Polygon& polygon) {
   for (Point& p : result.vertices) {
     p = {0.0 - p.x, 0.0 - p.y};
   }
-  for (Box& box : result.tree.boxes) {
-    box = {0.0 - box.x1, 0.0 - box.y1, 0.0 - box.x0, 0.0 - box.y0};
+  for (Point& p : result.relative) {
+    p = {0.0 - p.x, 0.0 - p.y};
   }
+  const auto reflect = [](Box& box) {
+    box = {0.0 - box.x1, 0.0 - box.y1, 0.0 - box.x0, 0.0 - box.y0};
+  };
+  for (ChainTree::Node& node : result.tree.nodes) {
+    reflect(node.box);
+  }
+  reflect(result.bounds);
   for (std::uint8_t& upper : result.upper) {
     upper ^= 1;
   }

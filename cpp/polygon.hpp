@@ -37,14 +37,17 @@ struct Polygon {
   std::vector<std::uint8_t> upper;
   std::vector<Index> edge_of_line;  // one edge with that line direction
 
-  ChainTree tree;
+  // The vertices relative to vertex 0, rounded: what searches prune with, far from the
+  // origin as well as near it. Each coordinate is off by at most u times its size.
+  std::vector<Point> relative;
+  ChainTree tree;  // over `relative`
+  Box bounds{};
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices.size()); }
   [[nodiscard]] Index next(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   [[nodiscard]] Index previous(Index i) const { return (i == 0 ? size() : i) - 1; }
-  [[nodiscard]] const Box& bounds() const { return tree.boxes.back(); }
 };
 
 // The polygon with the given boundary: either orientation, closed or not, repeated and

@@ -74,12 +74,12 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
       ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
 }
 
-// How many places are no vertices of the ring.
-std::uint64_t vertices_lost(const std::vector<Point>& places, std::vector<Point> ring) {
-  std::sort(ring.begin(), ring.end(), lexicographically_less);
+// How many points of the first list, in any order, are not in the second.
+std::uint64_t count_missing(const std::vector<Point>& points, std::vector<Point> others) {
+  std::sort(others.begin(), others.end(), lexicographically_less);
   return static_cast<std::uint64_t>(
-      std::count_if(places.begin(), places.end(), [&](const Point& place) {
-        return !std::binary_search(ring.begin(), ring.end(), place, lexicographically_less);
+      std::count_if(points.begin(), points.end(), [&](const Point& p) {
+        return !std::binary_search(others.begin(), others.end(), p, lexicographically_less);
       }));
 }
 
@@ -165,7 +165,8 @@ RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally) {
   RoundedRing rounded;
   rounded.vertices = ring_through(untangled->vertices);
   rounded.error_bound = sum_bound(untangled->error_bound, nearest.error_bound);
-  rounded.vertices_repaired = vertices_lost(nearest.places, rounded.vertices);
+  rounded.vertices_repaired = count_missing(nearest.places, rounded.vertices) +
+                              count_missing(rounded.vertices, nearest.places);
   return rounded;
 }
 

@@ -13,7 +13,6 @@
 #include <numeric>
 #include <set>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 #include "chain_tree.hpp"
@@ -161,96 +160,22 @@ class Sweep {
   Tally tally_;
 };
 
-bool overlap(const Box& a, const Box& b) {
-  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+// Do the neighbours pq and qr overlap?
+bool folds_back(const Point& p, const Point& q, const Point& r, Tally& tally) {
+  return orientation(p, q, r, tally) == 0 &&
+         lexicographically_less(p, q) != lexicographically_less(q, r);
 }
 
-// Descends the tree of boxes against itself, to all pairs of edges that meet.
-class PairSearch {
- public:
-  PairSearch(std::span<const Point> ring, const ChainTree& tree) : ring_(ring), tree_(tree) {}
-
-  std::vector<Conflict> run() {
-    within(tree_.root());
-    // In an order that the shape of the tree has no part in.
-    std::sort(conflicts_.begin(), conflicts_.end(), [](const Conflict& a, const Conflict& b) {
-      return std::tie(a.first, a.second) < std::tie(b.first, b.second);
-    });
-    return std::move(conflicts_);
+bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tally& tally) {
+  const auto next = [&](std::size_t i) { return i + 1 == ring.size() ? 0 : i + 1; };
+  if (next(e) == f) {
+    return folds_back(ring[e], ring[f], ring[next(f)], tally);
   }
-
- private:
-  using Node = ChainTree::Node;
-
-  [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == ring_.size() ? 0 : i + 1; }
-
-  void within(Node node) {
-    if (node.level == 0) {
-      for (Edge e = ChainTree::first_edge(node.k); e < tree_.last_edge(node.k); ++e) {
-        for (Edge f = e + 1; f < tree_.last_edge(node.k); ++f) {
-          test(e, f);
-        }
-      }
-      return;
-    }
-    const Node left{node.level - 1, 2 * node.k};
-    within(left);
-    if (tree_.has_right_child(node)) {
-      const Node right{node.level - 1, 2 * node.k + 1};
-      within(right);
-      between(left, right);
-    }
+  if (next(f) == e) {
+    return folds_back(ring[f], ring[e], ring[next(e)], tally);
   }
-
-  // All edges below one node with all edges below another on the same level.
-  void between(Node first, Node second) {
-    if (!overlap(tree_.boxes[tree_.index(first)], tree_.boxes[tree_.index(second)])) {
-      return;
-    }
-    if (first.level == 0) {
-      for (Edge e = ChainTree::first_edge(first.k); e < tree_.last_edge(first.k); ++e) {
-        for (Edge f = ChainTree::first_edge(second.k); f < tree_.last_edge(second.k); ++f) {
-          test(e, f);
-        }
-      }
-      return;
-    }
-    for (Edge i = 0; i < 2; ++i) {
-      for (Edge j = 0; j < 2; ++j) {
-        if ((i == 0 || tree_.has_right_child(first)) && (j == 0 || tree_.has_right_child(second))) {
-          between({first.level - 1, 2 * first.k + i}, {second.level - 1, 2 * second.k + j});
-        }
-      }
-    }
-  }
-
-  void test(Edge e, Edge f) {
-    if (conflicting(e, f)) {
-      conflicts_.push_back({std::min(e, f), std::max(e, f)});
-    }
-  }
-
-  [[nodiscard]] bool conflicting(Edge e, Edge f) {
-    if (next(e) == f) {
-      return fold_back(ring_[e], ring_[f], ring_[next(f)]);
-    }
-    if (next(f) == e) {
-      return fold_back(ring_[f], ring_[e], ring_[next(e)]);
-    }
-    return segments_meet(ring_[e], ring_[next(e)], ring_[f], ring_[next(f)], tally_);
-  }
-
-  // Do the neighbours pq and qr overlap?
-  [[nodiscard]] bool fold_back(const Point& p, const Point& q, const Point& r) {
-    return orientation(p, q, r, tally_) == 0 &&
-           lexicographically_less(p, q) != lexicographically_less(q, r);
-  }
-
-  std::span<const Point> ring_;
-  const ChainTree& tree_;
-  std::vector<Conflict> conflicts_;
-  Tally tally_;
-};
+  return segments_meet(ring[e], ring[next(e)], ring[f], ring[next(f)], tally);
+}
 
 }  // namespace
 
@@ -265,8 +190,18 @@ bool is_counter_clockwise(std::span<const Point> ring) {
 }
 
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
-  const ChainTree tree = build_chain_tree(ring);
-  return PairSearch(ring, tree).run();
+  std::vector<Conflict> conflicts;
+  Tally tally;
+  for_each_overlapping_pair(build_chain_tree(ring), [&](std::size_t e, std::size_t f) {
+    if (conflicting(ring, e, f, tally)) {
+      conflicts.push_back({std::min(e, f), std::max(e, f)});
+    }
+  });
+  // In an order that the shape of the tree has no part in.
+  std::sort(conflicts.begin(), conflicts.end(), [](const Conflict& a, const Conflict& b) {
+    return std::tie(a.first, a.second) < std::tie(b.first, b.second);
+  });
+  return conflicts;
 }
 
 }  // namespace gcv

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "area.hpp"
+#include "chain_tree.hpp"
 #include "exact_numbers.hpp"
-#include "repair.hpp"
 #include "rounding.hpp"
 #include "simplicity.hpp"
 #include "to_double.hpp"
@@ -18,111 +20,213 @@ namespace gcv {
 
 namespace {
 
-constexpr int rounds = 32;
-
 struct LexicographicOrder {
   bool operator()(const Point& p, const Point& q) const { return lexicographically_less(p, q); }
 };
 
-SumEdge segment(const Point& p, const Point& q) {
-  return {{p, {0, 0}}, p, q, q.x - p.x, q.y - p.y};
+// A segment, from its smaller end to the larger one.
+struct Segment {
+  Point low;
+  Point high;
+
+  friend bool operator==(const Segment& s, const Segment& t) {
+    return s.low == t.low && s.high == t.high;
+  }
+  friend bool operator<(const Segment& s, const Segment& t) {
+    return s.low == t.low ? lexicographically_less(s.high, t.high)
+                          : lexicographically_less(s.low, t.low);
+  }
+};
+
+Segment segment(const Point& p, const Point& q) {
+  return lexicographically_less(p, q) ? Segment{p, q} : Segment{q, p};
 }
 
-// The double point nearest to the crossing of the lines of two segments.
-Point rounded_crossing(const SumEdge& s, const SumEdge& t, Tally& tally) {
-  Grid grid;
-  grid.include(s);
-  grid.include(t);
-  return with_integers(rounding_bits(crossing_bits(grid.bits())), tally, [&]<class Integer>() {
-    const auto p = crossing<Integer>(grid, s, t, {0, 0});
-    return Point{nearest_double(p.x, p.w, grid.exponent()).value,
-                 nearest_double(p.y, p.w, grid.exponent()).value};
-  });
+SumEdge as_edge(const Segment& s) {
+  return {{s.low, {0, 0}}, s.low, s.high, s.high.x - s.low.x, s.high.y - s.low.y};
 }
 
-// Cuts the edges of a closed polyline where they meet each other.
-class Cutter {
+// Snap rounding (Guibas and Marimont, "Rounding arrangements dynamically", 1998): the plane
+// is divided into square pixels; those that hold an end or a crossing of segments are hot,
+// and each segment becomes the chain of the centres of the hot pixels that it passes. Then
+// segments meet in such centres only.
+class SnapRounding {
  public:
-  Cutter(const std::vector<Point>& ring, Tally& tally)
-      : ring_(ring), cuts_(ring.size()), tally_(tally) {}
+  SnapRounding(const std::vector<Segment>& segments, double unit, Tally& tally)
+      : segments_(segments), unit_(unit), chains_(segments.size()), tally_(tally) {}
 
-  // The polyline with its cuts; error_bound grows by what rounding them moved.
-  std::vector<Point> run(double& error_bound) {
-    for (const Conflict& conflict : find_all_conflicts(ring_)) {
-      cut(conflict.first, conflict.second);
+  // The pieces of the chains, each once.
+  std::vector<Segment> run() {
+    find_hot_pixels();
+    find_passages();
+    std::vector<Segment> pieces;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      sort_along(segments_[i], chains_[i]);
+      for (std::size_t k = 1; k < chains_[i].size(); ++k) {
+        pieces.push_back(segment(chains_[i][k - 1], chains_[i][k]));
+      }
     }
-    std::vector<Point> result;
-    for (std::size_t e = 0; e < ring_.size(); ++e) {
-      result.push_back(ring_[e]);
-      const Point& p = ring_[e];
-      std::sort(cuts_[e].begin(), cuts_[e].end(), [&](const Point& q, const Point& r) {
-        return lexicographically_less(p, end(e)) ? lexicographically_less(q, r)
-                                                 : lexicographically_less(r, q);
-      });
-      result.insert(result.end(), cuts_[e].begin(), cuts_[e].end());
-    }
-    error_bound += moved_;
-    return snap(result).vertices;
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    return pieces;
   }
 
  private:
-  [[nodiscard]] const Point& end(std::size_t e) const {
-    return ring_[e + 1 == ring_.size() ? 0 : e + 1];
+  // The centre of the pixel that holds the coordinate n / w * 2^exponent.
+  template <class Integer>
+  [[nodiscard]] double centre(Integer n, Integer w, int exponent) const {
+    const int shift = exponent - std::ilogb(unit_);
+    if (shift >= 0) {
+      n <<= shift;
+    } else {
+      w <<= -shift;
+    }
+    const Integer twice = 2 * w;
+    n = 2 * n + w;
+    auto [quotient, remainder] = divide(n, twice);
+    if (sign(remainder) < 0) {
+      quotient -= 1;  // division truncates; this rounds down
+    }
+    return static_cast<double>(quotient) * unit_;
   }
 
-  void cut(std::size_t e, std::size_t f) {
-    bool touch = false;
-    for (const Point& p : {ring_[f], end(f)}) {
-      touch |= cut_at_vertex(e, p);
-    }
-    for (const Point& p : {ring_[e], end(e)}) {
-      touch |= cut_at_vertex(f, p);
-    }
-    if (!touch) {
-      const Point p =
-          rounded_crossing(segment(ring_[e], end(e)), segment(ring_[f], end(f)), tally_);
-      add(e, p);
-      add(f, p);
-      const double unit = unit_in_last_place(p);
-      moved_ = std::max(moved_, unit);
-    }
+  [[nodiscard]] Point pixel_of(const Point& p) {
+    const Grid grid{p};
+    const int bits = grid.bits() + std::abs(grid.exponent() - std::ilogb(unit_)) + 3;
+    return with_integers(bits, tally_, [&]<class Integer>() {
+      const int exponent = grid.exponent();
+      return Point{centre(grid.integer<Integer>(p.x), Integer(1), exponent),
+                   centre(grid.integer<Integer>(p.y), Integer(1), exponent)};
+    });
   }
 
-  // Cuts e at p where p lies on it. Does e hold p?
-  bool cut_at_vertex(std::size_t e, const Point& p) {
-    const Point& from = ring_[e];
-    const Point& to = end(e);
-    const auto& [low, high] = std::minmax(from, to, lexicographically_less);
-    if (lexicographically_less(p, low) || lexicographically_less(high, p) ||
-        orientation(from, to, p, tally_) != 0) {
+  [[nodiscard]] Point pixel_of_crossing(const Segment& s, const Segment& t) {
+    const SumEdge e = as_edge(s);
+    const SumEdge f = as_edge(t);
+    Grid grid;
+    grid.include(e);
+    grid.include(f);
+    const int bits = crossing_bits(grid.bits()) + std::abs(grid.exponent() - std::ilogb(unit_)) + 3;
+    return with_integers(bits, tally_, [&]<class Integer>() {
+      const auto p = crossing<Integer>(grid, e, f, {0, 0});
+      return Point{centre(p.x, p.w, grid.exponent()), centre(p.y, p.w, grid.exponent())};
+    });
+  }
+
+  void find_hot_pixels() {
+    std::vector<Box> boxes;
+    for (const Segment& s : segments_) {
+      boxes.push_back(box_of(s.low, s.high));
+      hot_.push_back(pixel_of(s.low));
+      hot_.push_back(pixel_of(s.high));
+    }
+    for_each_overlapping_pair(build_chain_tree(boxes), [&](std::size_t i, std::size_t j) {
+      if (cross(segments_[i], segments_[j])) {
+        hot_.push_back(pixel_of_crossing(segments_[i], segments_[j]));
+      }
+    });
+    std::sort(hot_.begin(), hot_.end(), lexicographically_less);
+    hot_.erase(std::unique(hot_.begin(), hot_.end()), hot_.end());
+  }
+
+  // Ends that touch are hot anyway.
+  [[nodiscard]] bool cross(const Segment& s, const Segment& t) {
+    return orientation(s.low, s.high, t.low, tally_) * orientation(s.low, s.high, t.high, tally_) <
+               0 &&
+           orientation(t.low, t.high, s.low, tally_) * orientation(t.low, t.high, s.high, tally_) <
+               0;
+  }
+
+  // Segments and pixels, in one tree: the pairs of one of each whose boxes overlap.
+  void find_passages() {
+    struct Item {
+      Point place;
+      std::size_t index;
+      bool is_pixel;
+    };
+    std::vector<Item> items;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      items.push_back({segments_[i].low, i, false});
+    }
+    for (std::size_t h = 0; h < hot_.size(); ++h) {
+      items.push_back({hot_[h], h, true});
+    }
+    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
+      return lexicographically_less(a.place, b.place);
+    });
+    std::vector<Box> boxes;
+    for (const Item& item : items) {
+      const Point& p = item.place;
+      boxes.push_back(item.is_pixel
+                          ? Box{p.x - unit_, p.y - unit_, p.x + unit_, p.y + unit_}
+                          : box_of(segments_[item.index].low, segments_[item.index].high));
+    }
+    for_each_overlapping_pair(build_chain_tree(boxes), [&](std::size_t k, std::size_t l) {
+      if (items[k].is_pixel != items[l].is_pixel) {
+        const std::size_t i = items[items[k].is_pixel ? l : k].index;
+        const Point& h = hot_[items[items[k].is_pixel ? k : l].index];
+        if (passes(segments_[i], h)) {
+          chains_[i].push_back(h);
+        }
+      }
+    });
+  }
+
+  // Does the segment meet the closed pixel around h? Its corners are kept as sums.
+  [[nodiscard]] bool passes(const Segment& s, const Point& h) {
+    const double half = unit_ / 2;
+    const Box box = box_of(s.low, s.high);
+    if (compare_sums(box.x0, 0, h.x, half, tally_) > 0 ||
+        compare_sums(box.x1, 0, h.x, -half, tally_) < 0 ||
+        compare_sums(box.y0, 0, h.y, half, tally_) > 0 ||
+        compare_sums(box.y1, 0, h.y, -half, tally_) < 0) {
       return false;
     }
-    add(e, p);
-    return true;
-  }
-
-  void add(std::size_t e, const Point& p) {
-    if (!(p == ring_[e]) && !(p == end(e))) {
-      cuts_[e].push_back(p);
+    const SumEdge line = as_edge(s);
+    int lowest = 1;
+    int highest = -1;
+    for (const double x : {-half, half}) {
+      for (const double y : {-half, half}) {
+        const int corner = side(line, {h, {x, y}}, tally_);
+        lowest = std::min(lowest, corner);
+        highest = std::max(highest, corner);
+      }
     }
+    return lowest <= 0 && highest >= 0;
   }
 
-  const std::vector<Point>& ring_;
-  std::vector<std::vector<Point>> cuts_;
-  double moved_ = 0;
+  // Along the longer axis; where two pixels share a place on it, along the other one.
+  static void sort_along(const Segment& s, std::vector<Point>& chain) {
+    const double dx = s.high.x - s.low.x;
+    const double dy = s.high.y - s.low.y;
+    const double sx = dx < 0 ? -1 : 1;
+    const double sy = dy < 0 ? -1 : 1;
+    const bool flat = std::abs(dx) >= std::abs(dy);
+    std::sort(chain.begin(), chain.end(), [&](const Point& p, const Point& q) {
+      const std::pair along(sx * p.x, sx * q.x);
+      const std::pair across(sy * p.y, sy * q.y);
+      const auto& first = flat ? along : across;
+      const auto& second = flat ? across : along;
+      return first.first != first.second ? first.first < first.second
+                                         : second.first < second.second;
+    });
+  }
+
+  const std::vector<Segment>& segments_;
+  double unit_;
+  std::vector<Point> hot_;
+  std::vector<std::vector<Point>> chains_;
   Tally& tally_;
 };
 
-// The plane graph of a polyline that meets itself only in its vertices.
+// The plane graph of segments that meet in their ends only.
 using Graph = std::map<Point, std::vector<Point>, LexicographicOrder>;
 
-Graph plane_graph(const std::vector<Point>& ring, Tally& tally) {
+Graph plane_graph(const std::vector<Segment>& segments, Tally& tally) {
   Graph graph;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point& p = ring[k];
-    const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
-    graph[p].push_back(q);
-    graph[q].push_back(p);
+  for (const Segment& s : segments) {
+    graph[s.low].push_back(s.high);
+    graph[s.high].push_back(s.low);
   }
   for (auto& [p, neighbours] : graph) {
     const Point& centre = p;
@@ -132,7 +236,6 @@ Graph plane_graph(const std::vector<Point>& ring, Tally& tally) {
       const bool r_is_left = lexicographically_less(r, centre);
       return q_is_left != r_is_left ? r_is_left : orientation(centre, q, r, tally) > 0;
     });
-    neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   }
   return graph;
 }
@@ -185,30 +288,36 @@ std::vector<Point> largest_cycle(const std::vector<Point>& walk) {
   return largest;
 }
 
-// At least the distance from the ring of the polyline, which the ring is part of: a stretch
-// that is not is no further from where it leaves the ring than its vertices are.
-double distance_left_out(const std::vector<Point>& polyline, const std::vector<Point>& ring) {
-  std::map<Point, Point, LexicographicOrder> successor;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    successor[ring[k]] = ring[k + 1 == ring.size() ? 0 : k + 1];
+// At least the distance of the graph from the ring, which is part of it. The graph is
+// connected: from each vertex of it a way leads to one of the ring, its anchor; and no
+// point of a segment is further from the anchor of one end than both ends are.
+double distance_left_out(const Graph& graph, const std::vector<Point>& ring) {
+  std::map<Point, Point, LexicographicOrder> anchors;
+  std::vector<Point> queue = ring;
+  for (const Point& p : ring) {
+    anchors.emplace(p, p);
   }
-  const auto on_ring = [&](const Point& p) { return successor.contains(p); };
-  const auto is_edge = [&](const Point& p, const Point& q) {
-    return on_ring(p) && on_ring(q) && (successor[p] == q || successor[q] == p);
-  };
-  const auto first = std::find_if(polyline.begin(), polyline.end(), on_ring);
   double distance = 0;
-  Point left = *first;
-  for (std::size_t k = 0; k < polyline.size(); ++k) {
-    const std::size_t i =
-        (static_cast<std::size_t>(first - polyline.begin()) + k) % polyline.size();
-    const Point& p = polyline[i];
-    const Point& q = polyline[i + 1 == polyline.size() ? 0 : i + 1];
-    if (on_ring(p)) {
-      left = p;
+  for (std::size_t k = 0; k < queue.size(); ++k) {
+    const Point p = queue[k];
+    const Point anchor = anchors.at(p);
+    for (const Point& q : graph.at(p)) {
+      if (anchors.emplace(q, anchor).second) {
+        queue.push_back(q);
+      }
     }
-    if (!is_edge(p, q)) {
-      distance = std::max(distance, length_bound(q.x - left.x, q.y - left.y));
+  }
+  std::set<Segment> edges;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    edges.insert(segment(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]));
+  }
+  for (const auto& [p, neighbours] : graph) {
+    const Point& anchor = anchors.at(p);
+    for (const Point& q : neighbours) {
+      if (!edges.contains(segment(p, q))) {
+        distance = std::max({distance, length_bound(p.x - anchor.x, p.y - anchor.y),
+                             length_bound(q.x - anchor.x, q.y - anchor.y)});
+      }
     }
   }
   return distance;
@@ -216,25 +325,30 @@ double distance_left_out(const std::vector<Point>& polyline, const std::vector<P
 
 }  // namespace
 
-std::optional<UntangledRing> untangle(std::vector<Point> polyline, Tally& tally) {
-  UntangledRing result;
-  for (int round = 0; round < rounds; ++round) {
-    if (polyline.size() < 3) {
-      return std::nullopt;
-    }
-    std::vector<Point> cut = Cutter(polyline, tally).run(result.error_bound);
-    if (cut.size() == polyline.size()) {
-      result.vertices = largest_cycle(outer_walk(plane_graph(polyline, tally)));
-      if (result.vertices.empty() || find_conflict(result.vertices)) {
-        return std::nullopt;
-      }
-      result.error_bound += distance_left_out(polyline, result.vertices);
-      result.error_bound *= 1 + 0x1p-50;
-      return result;
-    }
-    polyline = std::move(cut);
+std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally& tally) {
+  std::vector<Segment> segments;
+  for (std::size_t k = 0; k < polyline.size(); ++k) {
+    segments.push_back(segment(polyline[k], polyline[k + 1 == polyline.size() ? 0 : k + 1]));
   }
-  return std::nullopt;
+  if (segments.size() < 3) {
+    return std::nullopt;
+  }
+  double unit = 2 * std::numeric_limits<double>::denorm_min();  // so that it has a half
+  for (const Point& p : polyline) {
+    unit = std::max(unit, unit_in_last_place(p));
+  }
+  const std::vector<Segment> pieces = SnapRounding(segments, unit, tally).run();
+  if (pieces.empty()) {
+    return std::nullopt;
+  }
+  const Graph graph = plane_graph(pieces, tally);
+  UntangledRing result{largest_cycle(outer_walk(graph)), 0};
+  if (result.vertices.empty() || find_conflict(result.vertices)) {
+    return std::nullopt;
+  }
+  // No point of a segment is further than a pixel's diagonal from its chain.
+  result.error_bound = sum_bound(1.5 * unit, distance_left_out(graph, result.vertices));
+  return result;
 }
 
 }  // namespace gcv

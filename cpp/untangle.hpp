@@ -18,9 +18,9 @@ struct UntangledRing {
   double error_bound = 0;
 };
 
-// The boundary of the unbounded face of the closed polyline, crossings rounded to doubles
-// until nothing crosses any more; of several parts that touch in points, the largest.
-// Nothing where that does not come to an end, or has no area.
-std::optional<UntangledRing> untangle(std::vector<Point> polyline, Tally& tally);
+// The boundary of the unbounded face of the closed polyline, snapped to a grid of one unit
+// in the last place of its largest coordinate; of several parts that touch in points, the
+// largest. Nothing where that has no area.
+std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally& tally);
 
 }  // namespace gcv
