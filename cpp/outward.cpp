@@ -89,10 +89,8 @@ RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
   if (nearest.error_bound == 0) {
     return nearest;
   }
-  double unit = 0;
-  for (const Point& p : nearest.vertices) {
-    unit = std::max(unit, unit_in_last_place(p));
-  }
+  const Point units = units_in_last_place(nearest.vertices);
+  const double unit = std::max(units.x, units.y);
   const auto polygon =
       std::make_shared<const Polygon>(make_polygon(nearest.vertices, "the rounded ring"));
   // What the first rounding cut off must be covered, too.

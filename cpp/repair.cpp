@@ -24,7 +24,12 @@ constexpr double furthest = 6;  // units in the last place that a vertex may mov
 class Separator {
  public:
   Separator(const ExactRing& exact, const std::vector<Point>& nearest, Tally& tally)
-      : exact_(exact), nearest_(nearest), places_(nearest), moves_(nearest.size()), tally_(tally) {}
+      : exact_(exact),
+        nearest_(nearest),
+        largest_units_(units_in_last_place(nearest)),
+        places_(nearest),
+        moves_(nearest.size()),
+        tally_(tally) {}
 
   std::optional<std::vector<Point>> run() {
     for (int round = 0; round < rounds; ++round) {
@@ -111,12 +116,15 @@ class Separator {
     if (distance > furthest) {
       move = {move.x * (furthest / distance), move.y * (furthest / distance)};
     }
-    const double unit = unit_in_last_place(nearest_[k]);
-    places_[k] = {nearest_[k].x + move.x * unit, nearest_[k].y + move.y * unit};
+    const Point& p = nearest_[k];
+    const double unit = std::max(unit_in_last_place(p.x), unit_in_last_place(p.y));
+    places_[k] = {p.x + move.x * std::min(unit, largest_units_.x),
+                  p.y + move.y * std::min(unit, largest_units_.y)};
   }
 
   const ExactRing& exact_;
   const std::vector<Point>& nearest_;
+  Point largest_units_;
   std::vector<Point> places_;
   std::vector<Point> moves_;  // in units in the last place
   std::vector<Point> demands_;

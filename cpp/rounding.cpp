@@ -50,10 +50,7 @@ double rounding_error(const RoundedNumber& number) {
   if (number.exact) {
     return 0;
   }
-  const double size = std::abs(number.value);
-  const double unit = size == std::numeric_limits<double>::max()
-                          ? size - std::nextafter(size, 0.0)
-                          : std::nextafter(size, HUGE_VAL) - size;
+  const double unit = unit_in_last_place(number.value);
   return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
 }
 
@@ -98,10 +95,18 @@ double length_bound(double x, double y) {
   return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
 }
 
-double unit_in_last_place(const Point& p) {
-  const double size = std::max(std::abs(p.x), std::abs(p.y));
+double unit_in_last_place(double x) {
+  const double size = std::abs(x);
   const double next = std::nextafter(size, HUGE_VAL);
   return std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
+}
+
+Point units_in_last_place(const std::vector<Point>& points) {
+  Point largest{0, 0};
+  for (const Point& p : points) {
+    largest = {std::max(largest.x, std::abs(p.x)), std::max(largest.y, std::abs(p.y))};
+  }
+  return {unit_in_last_place(largest.x), unit_in_last_place(largest.y)};
 }
 
 double sum_bound(double x, double y) {

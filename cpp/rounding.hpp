@@ -45,8 +45,11 @@ RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally);
 // The ring through the places, each once.
 std::vector<Point> ring_through(const std::vector<Point>& places);
 
-// The distance from |x| to the next double, for the larger coordinate of the point.
-double unit_in_last_place(const Point& p);
+// The distance from |x| to the next double.
+double unit_in_last_place(double x);
+
+// That of the largest x and of the largest y of the points.
+Point units_in_last_place(const std::vector<Point>& points);
 
 // At least sqrt(x^2 + y^2).
 double length_bound(double x, double y);

@@ -47,12 +47,12 @@ SumEdge as_edge(const Segment& s) {
 }
 
 // Snap rounding (Guibas and Marimont, "Rounding arrangements dynamically", 1998): the plane
-// is divided into square pixels; those that hold an end or a crossing of segments are hot,
+// is divided into pixels; those that hold an end or a crossing of segments are hot,
 // and each segment becomes the chain of the centres of the hot pixels that it passes. Then
 // segments meet in such centres only.
 class SnapRounding {
  public:
-  SnapRounding(const std::vector<Segment>& segments, double unit, Tally& tally)
+  SnapRounding(const std::vector<Segment>& segments, const Point& unit, Tally& tally)
       : segments_(segments), unit_(unit), chains_(segments.size()), tally_(tally) {}
 
   // The pieces of the chains, each once.
@@ -74,8 +74,8 @@ class SnapRounding {
  private:
   // The centre of the pixel that holds the coordinate n / w * 2^exponent.
   template <class Integer>
-  [[nodiscard]] double centre(Integer n, Integer w, int exponent) const {
-    const int shift = exponent - std::ilogb(unit_);
+  [[nodiscard]] static double centre(Integer n, Integer w, int exponent, double unit) {
+    const int shift = exponent - std::ilogb(unit);
     if (shift >= 0) {
       n <<= shift;
     } else {
@@ -87,16 +87,21 @@ class SnapRounding {
     if (sign(remainder) < 0) {
       quotient -= 1;  // division truncates; this rounds down
     }
-    return static_cast<double>(quotient) * unit_;
+    return static_cast<double>(quotient) * unit;
+  }
+
+  [[nodiscard]] int largest_shift(const Grid& grid) const {
+    return std::max(std::abs(grid.exponent() - std::ilogb(unit_.x)),
+                    std::abs(grid.exponent() - std::ilogb(unit_.y)));
   }
 
   [[nodiscard]] Point pixel_of(const Point& p) {
     const Grid grid{p};
-    const int bits = grid.bits() + std::abs(grid.exponent() - std::ilogb(unit_)) + 3;
+    const int bits = grid.bits() + largest_shift(grid) + 3;
     return with_integers(bits, tally_, [&]<class Integer>() {
       const int exponent = grid.exponent();
-      return Point{centre(grid.integer<Integer>(p.x), Integer(1), exponent),
-                   centre(grid.integer<Integer>(p.y), Integer(1), exponent)};
+      return Point{centre(grid.integer<Integer>(p.x), Integer(1), exponent, unit_.x),
+                   centre(grid.integer<Integer>(p.y), Integer(1), exponent, unit_.y)};
     });
   }
 
@@ -106,10 +111,11 @@ class SnapRounding {
     Grid grid;
     grid.include(e);
     grid.include(f);
-    const int bits = crossing_bits(grid.bits()) + std::abs(grid.exponent() - std::ilogb(unit_)) + 3;
+    const int bits = crossing_bits(grid.bits()) + largest_shift(grid) + 3;
     return with_integers(bits, tally_, [&]<class Integer>() {
       const auto p = crossing<Integer>(grid, e, f, {0, 0});
-      return Point{centre(p.x, p.w, grid.exponent()), centre(p.y, p.w, grid.exponent())};
+      return Point{centre(p.x, p.w, grid.exponent(), unit_.x),
+                   centre(p.y, p.w, grid.exponent(), unit_.y)};
     });
   }
 
@@ -158,7 +164,7 @@ class SnapRounding {
     for (const Item& item : items) {
       const Point& p = item.place;
       boxes.push_back(item.is_pixel
-                          ? Box{p.x - unit_, p.y - unit_, p.x + unit_, p.y + unit_}
+                          ? Box{p.x - unit_.x, p.y - unit_.y, p.x + unit_.x, p.y + unit_.y}
                           : box_of(segments_[item.index].low, segments_[item.index].high));
     }
     for_each_overlapping_pair(build_chain_tree(boxes), [&](std::size_t k, std::size_t l) {
@@ -174,19 +180,19 @@ class SnapRounding {
 
   // Does the segment meet the closed pixel around h? Its corners are kept as sums.
   [[nodiscard]] bool passes(const Segment& s, const Point& h) {
-    const double half = unit_ / 2;
+    const Point half{unit_.x / 2, unit_.y / 2};
     const Box box = box_of(s.low, s.high);
-    if (compare_sums(box.x0, 0, h.x, half, tally_) > 0 ||
-        compare_sums(box.x1, 0, h.x, -half, tally_) < 0 ||
-        compare_sums(box.y0, 0, h.y, half, tally_) > 0 ||
-        compare_sums(box.y1, 0, h.y, -half, tally_) < 0) {
+    if (compare_sums(box.x0, 0, h.x, half.x, tally_) > 0 ||
+        compare_sums(box.x1, 0, h.x, -half.x, tally_) < 0 ||
+        compare_sums(box.y0, 0, h.y, half.y, tally_) > 0 ||
+        compare_sums(box.y1, 0, h.y, -half.y, tally_) < 0) {
       return false;
     }
     const SumEdge line = as_edge(s);
     int lowest = 1;
     int highest = -1;
-    for (const double x : {-half, half}) {
-      for (const double y : {-half, half}) {
+    for (const double x : {-half.x, half.x}) {
+      for (const double y : {-half.y, half.y}) {
         const int corner = side(line, {h, {x, y}}, tally_);
         lowest = std::min(lowest, corner);
         highest = std::max(highest, corner);
@@ -196,12 +202,12 @@ class SnapRounding {
   }
 
   // Along the longer axis; where two pixels share a place on it, along the other one.
-  static void sort_along(const Segment& s, std::vector<Point>& chain) {
+  void sort_along(const Segment& s, std::vector<Point>& chain) const {
     const double dx = s.high.x - s.low.x;
     const double dy = s.high.y - s.low.y;
     const double sx = dx < 0 ? -1 : 1;
     const double sy = dy < 0 ? -1 : 1;
-    const bool flat = std::abs(dx) >= std::abs(dy);
+    const bool flat = std::abs(dx) / unit_.x >= std::abs(dy) / unit_.y;
     std::sort(chain.begin(), chain.end(), [&](const Point& p, const Point& q) {
       const std::pair along(sx * p.x, sx * q.x);
       const std::pair across(sy * p.y, sy * q.y);
@@ -213,7 +219,7 @@ class SnapRounding {
   }
 
   const std::vector<Segment>& segments_;
-  double unit_;
+  Point unit_;  // the size of a pixel
   std::vector<Point> hot_;
   std::vector<std::vector<Point>> chains_;
   Tally& tally_;
@@ -333,10 +339,9 @@ std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally&
   if (segments.size() < 3) {
     return std::nullopt;
   }
-  double unit = 2 * std::numeric_limits<double>::denorm_min();  // so that it has a half
-  for (const Point& p : polyline) {
-    unit = std::max(unit, unit_in_last_place(p));
-  }
+  const double smallest = 2 * std::numeric_limits<double>::denorm_min();  // that has a half
+  Point unit = units_in_last_place(polyline);
+  unit = {std::max(unit.x, smallest), std::max(unit.y, smallest)};
   const std::vector<Segment> pieces = SnapRounding(segments, unit, tally).run();
   if (pieces.empty()) {
     return std::nullopt;
@@ -347,7 +352,8 @@ std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally&
     return std::nullopt;
   }
   // No point of a segment is further than a pixel's diagonal from its chain.
-  result.error_bound = sum_bound(1.5 * unit, distance_left_out(graph, result.vertices));
+  result.error_bound =
+      sum_bound(length_bound(unit.x, unit.y), distance_left_out(graph, result.vertices));
   return result;
 }
 

@@ -19,8 +19,8 @@ struct UntangledRing {
 };
 
 // The boundary of the unbounded face of the closed polyline, snapped to a grid of one unit
-// in the last place of its largest coordinate; of several parts that touch in points, the
-// largest. Nothing where that has no area.
+// in the last place of its largest x and of its largest y; of several parts that touch in points,
+// the largest. Nothing where that has no area.
 std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally& tally);
 
 }  // namespace gcv

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// For every call that takes memory, and for every n: the n-th allocation fails, alone or with
+// all after it. The call says so, writes nothing, gives back what it took, and does the same
+// as ever once there is memory again. What GMP takes never fails, but must be given back too.
+#include <gmp.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <new>
+
+#include "pairs.hpp"
+
+// ------------------------------------------------------------- the program's operator new --
+
+namespace {
+
+constexpr long never = std::numeric_limits<long>::max();
+
+long live = 0;             // blocks that were taken and not given back
+long until_fault = never;  // allocations that go well
+long faults_left = 0;      // allocations that fail after these
+bool failed = false;
+bool failed_loudly = false;  // in an allocation that throws
+
+void* allocate(std::size_t size, std::size_t alignment) noexcept {
+  if (until_fault > 0) {
+    --until_fault;
+  } else if (faults_left > 0) {
+    --faults_left;
+    failed = true;
+    return nullptr;
+  }
+  // aligned_alloc takes multiples of the alignment.
+  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
+  void* const block = rounded < size ? nullptr : std::aligned_alloc(alignment, rounded);
+  live += block != nullptr ? 1 : 0;
+  return block;
+}
+
+void* allocate_or_throw(std::size_t size, std::size_t alignment) {
+  void* const block = allocate(size, alignment);
+  if (block == nullptr) {
+    failed_loudly = true;
+    throw std::bad_alloc();
+  }
+  return block;
+}
+
+void release(void* block) noexcept {
+  live -= block != nullptr ? 1 : 0;
+  std::free(block);
+}
+
+constexpr std::size_t plain = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
+using Alignment = std::align_val_t;
+using Quiet = std::nothrow_t;
+
+std::size_t bytes(Alignment alignment) { return static_cast<std::size_t>(alignment); }
+
+}  // namespace
+
+void* operator new(std::size_t n) { return allocate_or_throw(n, plain); }
+void* operator new[](std::size_t n) { return allocate_or_throw(n, plain); }
+void* operator new(std::size_t n, Alignment a) { return allocate_or_throw(n, bytes(a)); }
+void* operator new[](std::size_t n, Alignment a) { return allocate_or_throw(n, bytes(a)); }
+void* operator new(std::size_t n, const Quiet&) noexcept { return allocate(n, plain); }
+void* operator new[](std::size_t n, const Quiet&) noexcept { return allocate(n, plain); }
+void* operator new(std::size_t n, Alignment a, const Quiet&) noexcept {
+  return allocate(n, bytes(a));
+}
+void* operator new[](std::size_t n, Alignment a, const Quiet&) noexcept {
+  return allocate(n, bytes(a));
+}
+void operator delete(void* block) noexcept { release(block); }
+void operator delete[](void* block) noexcept { release(block); }
+void operator delete(void* block, std::size_t) noexcept { release(block); }
+void operator delete[](void* block, std::size_t) noexcept { release(block); }
+void operator delete(void* block, Alignment) noexcept { release(block); }
+void operator delete[](void* block, Alignment) noexcept { release(block); }
+void operator delete(void* block, std::size_t, Alignment) noexcept { release(block); }
+void operator delete[](void* block, std::size_t, Alignment) noexcept { release(block); }
+void operator delete(void* block, const Quiet&) noexcept { release(block); }
+void operator delete[](void* block, const Quiet&) noexcept { release(block); }
+void operator delete(void* block, Alignment, const Quiet&) noexcept { release(block); }
+void operator delete[](void* block, Alignment, const Quiet&) noexcept { release(block); }
+
+namespace {
+
+void count_memory_of_gmp() {
+  mp_set_memory_functions(
+      [](std::size_t size) {
+        ++live;
+        return std::malloc(size);
+      },
+      [](void* block, std::size_t, std::size_t size) { return std::realloc(block, size); },
+      [](void* block, std::size_t) { release(block); });
+}
+
+// --------------------------------------------------------------------------- the attempts --
+
+using gcv::faults::check;
+using gcv::faults::Owner;
+
+struct Faults {
+  long first = never;  // the number of the allocation that fails, from 0
+  long count = 0;
+};
+
+// Runs the call while the faults are there.
+template <class Call>
+gcv_status run(const Faults& faults, Call call) {
+  failed = failed_loudly = false;
+  until_fault = faults.first;
+  faults_left = faults.count;
+  const gcv_status status = call();
+  until_fault = never;
+  faults_left = 0;
+  return status;
+}
+
+struct Outcome {
+  gcv_status status;
+  bool untouched;  // the output
+  std::string transcript;
+};
+
+using Attempt = std::function<Outcome(const Faults&)>;
+
+// call(&out) gives a handle.
+template <class Handle, class Call>
+Attempt handle(Call call) {
+  return [call](const Faults& faults) {
+    static char nothing;
+    Handle* out = reinterpret_cast<Handle*>(&nothing);
+    const gcv_status status = run(faults, [&] { return call(&out); });
+    const Owner<Handle> owner(status == GCV_OK ? out : nullptr);
+    return Outcome{status, out == reinterpret_cast<Handle*>(&nothing),
+                   owner ? gcv::faults::transcript(out) : ""};
+  };
+}
+
+// call(text, capacity, &required) gives text.
+template <class Call>
+Attempt text(Call call) {
+  return [call](const Faults& faults) {
+    constexpr std::size_t capacity = 4096;
+    const std::string untouched(capacity, '?');
+    std::string out = untouched;
+    std::size_t required = 0;
+    const gcv_status status = run(faults, [&] { return call(out.data(), capacity, &required); });
+    return Outcome{status, out == untouched, out};
+  };
+}
+
+// Gives the number of allocations that the attempt takes.
+long starve(const std::string& name, const Attempt& attempt, long faults_at_once,
+            const Outcome& expected) {
+  for (long n = 0;; ++n) {
+    const std::string where = name + ", allocation " + std::to_string(n);
+    const long live_before = live;
+    {
+      const Outcome outcome = attempt({n, faults_at_once});
+      const bool well = outcome.status == GCV_OK;
+      if (!failed) {
+        check(well && outcome.transcript == expected.transcript, where, " is one too many");
+        return n;
+      }
+      // Who asks politely may go on without.
+      check(well ? !failed_loudly : outcome.status == GCV_ERR_NO_MEMORY, where + " gave ",
+            gcv_status_name(outcome.status));
+      check(well ? outcome.transcript == expected.transcript : outcome.untouched, where,
+            " gave a wrong result");
+    }
+    check(live == live_before, where, " leaks");
+    check(attempt({}).transcript == expected.transcript, where, " changes later results");
+    check(live == live_before, where, " leaks later");
+  }
+}
+
+void starve(const std::string& name, const Attempt& attempt) {
+  const Outcome expected = attempt({});
+  check(expected.status == GCV_OK && !expected.untouched, name, " does nothing");
+  const long allocations = starve(name, attempt, 1, expected);
+  starve(name + ", and all later ones", attempt, never, expected);
+  check(allocations > 0, name, " takes no memory");
+  std::printf("%s: %ld allocations\n", name.c_str(), allocations);
+}
+
+void starve_sums(const gcv::faults::Pair& pair) {
+  static constexpr double point[] = {0.5, -0.25};
+  const gcv_polygon* const a = pair.a.get();
+  const gcv_polygon* const b = pair.b.get();
+  for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
+    const gcv_options options = gcv::faults::options(rounding);
+    const auto name = [&](const char* function) {
+      return std::string(function) + " of " + pair.name + ", rounding " + std::to_string(rounding);
+    };
+    starve(name("gcv_minkowski_sum"), handle<gcv_outer_face>([=](gcv_outer_face** out) {
+             return gcv_minkowski_sum(a, b, &options, out);
+           }));
+    starve(name("gcv_no_fit_polygon"), handle<gcv_outer_face>([=](gcv_outer_face** out) {
+             return gcv_no_fit_polygon(a, b, point, &options, out);
+           }));
+    starve(name("gcv_entrance_block"), handle<gcv_outer_face>([=](gcv_outer_face** out) {
+             return gcv_entrance_block(a, b, point, &options, out);
+           }));
+  }
+}
+
+void starve_all_of(const gcv::faults::Pair& pair) {
+  const std::string of = std::string(" of ") + pair.name;
+  const gcv_polygon* const a = pair.a.get();
+  const gcv_polygon* const b = pair.b.get();
+  const Owner<gcv_outer_face> owner = gcv::faults::made<gcv_outer_face>(
+      [=](gcv_outer_face** out) { return gcv_minkowski_sum(a, b, nullptr, out); });
+  const gcv_outer_face* const face = owner.get();
+  starve_sums(pair);
+  starve("gcv_outer_face_exact_vertex" + of,
+         text([=](char* out, std::size_t capacity, std::size_t* required) {
+           return gcv_outer_face_exact_vertex(face, 1, out, capacity, required);
+         }));
+  starve("gcv_outer_face_wkt" + of,
+         text([=](char* out, std::size_t capacity, std::size_t* required) {
+           return gcv_outer_face_wkt(face, out, capacity, required);
+         }));
+  starve("gcv_outer_face_polygon" + of,
+         handle<gcv_polygon>([=](gcv_polygon** out) { return gcv_outer_face_polygon(face, out); }));
+  starve("gcv_superset_create" + of,
+         handle<gcv_superset>([=](gcv_superset** out) { return gcv_superset_create(a, b, out); }));
+}
+
+void starve_polygons() {
+  static constexpr double xy[] = {0, 0, 1, 0, 4, 0, 4, 0, 4, 4, 2, 3, 0, 4};
+  static constexpr std::string_view wkt =
+      "POLYGON ((0 0, 4 0, 4 4, 2 3, 0 4, 0 0), (1 1, 2 1, 1 2), (3 1, 3 2, 2 2))";
+  starve("gcv_polygon_create", handle<gcv_polygon>([](gcv_polygon** out) {
+           return gcv_polygon_create(xy, std::size(xy) / 2, 0, out);
+         }));
+  starve("gcv_polygon_create_wkt", handle<gcv_polygon>([](gcv_polygon** out) {
+           return gcv_polygon_create_wkt(wkt.data(), wkt.size(), out);
+         }));
+}
+
+}  // namespace
+
+int main() {
+  count_memory_of_gmp();
+  starve_polygons();
+  bool repaired = false;
+  bool rational = false;
+  for (const gcv::faults::Pair& pair : gcv::faults::pairs()) {
+    starve_all_of(pair);
+    const Owner<gcv_outer_face> face = gcv::faults::made<gcv_outer_face>([&](gcv_outer_face** out) {
+      return gcv_minkowski_sum(pair.a.get(), pair.b.get(), nullptr, out);
+    });
+    const gcv_stats stats = gcv::faults::stats(face.get());
+    repaired = repaired || stats.vertices_repaired > 0;
+    rational = rational || stats.predicates_rational > 0;
+  }
+  check(repaired, "no pair had to be repaired");
+  check(rational, "no pair took more than 512 bits");
+}

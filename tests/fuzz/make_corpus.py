@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Writes the hand-made inputs of corpus/polygons and corpus/calls, which are bytes."""
+
+import random
+import struct
+from pathlib import Path
+
+CORPUS = Path(__file__).parent / "corpus"
+
+# The first byte of a polygon, as fuzz_polygons.cpp reads it.
+RAW, INTEGERS, STAR, COMB = range(4)
+SAME_PLACEMENT, ROTATED, SCALED, SHIFTED, ULPS = 4, 8, 16, 32, 64
+
+
+def doubles(*numbers: float) -> bytes:
+    return struct.pack(f"<{len(numbers)}d", *numbers)
+
+
+def raw(*xy: float) -> bytes:
+    return bytes([RAW, len(xy) // 2]) + doubles(*xy)
+
+
+def grid(*xy: int, how: int = INTEGERS, placement: bytes = b"") -> bytes:
+    return bytes([how]) + placement + bytes([len(xy) // 2 - 3]) + struct.pack(f"{len(xy)}b", *xy)
+
+
+def comb(*columns: tuple[int, int, int], how: int = 0, placement: bytes = b"") -> bytes:
+    """Columns are (width, height, depth)."""
+    body = b"".join(bytes([w - 1, h, d - 1]) for w, h, d in columns)
+    return bytes([COMB | how]) + placement + bytes([len(columns) - 1]) + body
+
+
+SLOT = ((2, 8, 1), (1, 0, 1), (2, 8, 1))
+TOOTH = ((1, 6, 1),)
+
+
+def polygons() -> dict[str, bytes]:
+    reference = doubles(0.5, -0.25)
+    turned = bytes([2])
+    scaled = struct.pack("<h", -1040)
+    shifted = bytes([53, 3, 256 - 5])
+    jitter = bytes(range(0, 256, 7))
+    inputs = {
+        "empty": b"",
+        "triangles": grid(0, 0, 4, 0, 0, 3) + grid(0, 0, 1, 0, 0, 2),
+        "concave": grid(0, 0, 8, 8, 4, 6, 0, 8) + grid(0, 0, 6, 6, 0, 4) + reference,
+        "bow_tie": grid(0, 0, 1, 1, 1, 0, 0, 1) + grid(0, 0, 4, 0, 0, 3),
+        "collinear": grid(0, 0, 1, 0, 2, 0, 2, 2, 2, 2, 0, 2) + grid(0, 0, 4, 0, 0, 3),
+        "exact_fit": comb(*SLOT) + comb(*TOOTH) + reference,
+        "shifted_rotated_exact_fit": comb(*SLOT, how=ROTATED | SHIFTED, placement=turned + shifted)
+        + comb(*TOOTH, how=ROTATED, placement=turned)
+        + reference,
+        "subnormal": comb(*SLOT, how=SCALED, placement=scaled)
+        + comb(*TOOTH, how=SAME_PLACEMENT)
+        + reference,
+        "ulps": bytes([COMB | ULPS, 2, 1, 8, 0, 0, 0, 0, 1, 8, 0]) + jitter + jitter,
+        "all_magnitudes": raw(-1e100, 1e-300, 3, -1e-310, 1e17, 1, 5e15, 1e30)
+        + raw(0, 0, 1e-200, 1e-200, 1, 1e-308, 1e9, 1e-9, 0.1, 1e5)
+        + reference,
+        "overflow": raw(0, 0, 1.7e308, 1.7e308, 0, 1.7e308) + raw(0, 0, 1e308, 1e308, 0, 1e308),
+        "not_finite": raw(0, 0, float("inf"), 1, 1, float("nan")) + raw(0, 0, 1, 0, 0, 1),
+        "reference_not_finite": raw(0, 0, 1, 0, 0, 1) * 2 + doubles(0, float("nan")),
+    }
+    for eighths in (1, 2, 3, 5, 7, 11, 250):
+        inputs[f"rotated_exact_fit_{eighths}"] = (
+            comb(*SLOT, how=ROTATED, placement=bytes([eighths]))
+            + comb(*TOOTH, how=SAME_PLACEMENT)
+            + reference
+        )
+    dice = random.Random(1)
+    for k, how in enumerate((0, ROTATED, SCALED, SHIFTED, ULPS, ROTATED | SHIFTED) * 2):
+        inputs[f"stars_{k}"] = b"".join(bytes([STAR | how]) + dice.randbytes(40) for _ in "ab")
+    return inputs
+
+
+def calls() -> dict[str, bytes]:
+    (
+        create, create_wkt, sum_, no_fit, entrance, superset, face_polygon, polygon_numbers,
+        face_numbers, polygon_vertices, face_vertices, exact_vertex, edge_sources, wkt, edges,
+        stats, destroy, constants,
+    ) = range(18)  # fmt: skip
+    all_calls = range(18)
+
+    def polygon(text: int, slot: int = 0) -> bytes:
+        return bytes([create_wkt, text, 1, 1, slot, 1])
+
+    options = bytes(4)
+    made = bytes([0, 1])  # to slot 0, an output that is not NULL
+    point = bytes([17, 18])
+    ready = (
+        polygon(0)
+        + polygon(1, 1)
+        + bytes([sum_, 0, 1]) + options + made
+        + bytes([superset, 0, 1]) + made
+    )  # fmt: skip
+    vertices = bytes([16, 16, 20, 16, 16, 19])
+    numbers = bytes([polygon_numbers, 0, 1, 0, 1, 0, 1, face_numbers, 0, 1, 0, 1, 0, 1, 0, 1])
+    inputs = {
+        "empty": b"",
+        "constants": bytes([constants, 9, 0, 0, 0, constants, 77, 0, 0, 0, destroy, 0, 1, 2]),
+        "null_handles": b"".join(bytes([call] + 8 * [2]) for call in all_calls),
+        "strides": b"".join(
+            bytes([create, stride, 3]) + vertices + bytes([1, 1]) + made for stride in range(10)
+        ),
+        "counts": b"".join(
+            bytes([create, 0, 3]) + vertices + bytes([0, count, 1]) + made for count in range(3)
+        ),
+        "special_numbers": b"".join(
+            bytes([create, 0, 3, k]) + vertices[1:] + bytes([1, 1]) + made for k in range(12)
+        ),
+        "texts": b"".join(polygon(text) for text in range(7)),
+        "numbers": ready + numbers,
+        "no_fit": ready + bytes([no_fit, 0, 1]) + options + point + b"\1" + made + numbers,
+        "entrance": ready + bytes([entrance, 0, 1]) + options + point + b"\1" + made + numbers,
+        "references_not_finite": ready
+        + b"".join(
+            bytes([call, 0, 1]) + options + reference + b"\1" + made
+            for call in (no_fit, entrance)
+            for reference in (b"\x00\x11", b"\x11\x01", b"\x11\x02")
+        ),
+        "next_sum": ready
+        + bytes([face_polygon, 0]) + made
+        + bytes([sum_, 0, 0]) + options + made
+        + numbers,
+        "overflow": polygon(2) + bytes([sum_, 0, 0]) + options + made,
+        "underflow": polygon(3) + bytes([sum_, 0, 0]) + options + made + numbers,
+        "stats": ready + b"".join(bytes([stats, 0, size, 1]) for size in range(7)) + bytes(3),
+        "indices": ready
+        + b"".join(
+            bytes([exact_vertex, 0, index, kind, 0]) for index in range(6) for kind in range(6)
+        ),
+    }  # fmt: skip
+    for k, name in enumerate(("sizes", "roundings", "tolerances")):
+        inputs[f"options_{name}"] = ready + b"".join(
+            bytes([sum_, 0, 1]) + options[:k] + bytes([value]) + options[k + 1 :] + made
+            for value in range(11)
+        )
+    inputs["options_unknown"] = ready + bytes([sum_, 0, 1, 9, 0, 0, 1]) + made
+    for name, call in (
+        ("polygon_vertices", polygon_vertices), ("face_vertices", face_vertices),
+        ("edge_sources", edge_sources), ("wkt", wkt), ("edges", edges),
+    ):  # fmt: skip
+        inputs[f"buffers_{name}"] = ready + b"".join(bytes([call, 0, kind, 0]) for kind in range(6))
+    return inputs
+
+
+for target, inputs in (("polygons", polygons()), ("calls", calls())):
+    (CORPUS / target).mkdir(parents=True, exist_ok=True)
+    for name, data in inputs.items():
+        (CORPUS / target / name).write_bytes(data)
