@@ -40,14 +40,14 @@ double LocalSuperset::tolerance_of(double dx, double dy) const {
   return (std::abs(dx) + std::abs(dy)) * slack_ + std::numeric_limits<double>::min();
 }
 
-bool LocalSuperset::gather(const Point& centre, double reach) {
+bool LocalSuperset::gather(const Point& centre) {
   edges_.clear();
   ranks_.clear();
   x0_.clear();
   y0_.clear();
   x1_.clear();
   y1_.clear();
-  reach = std::max(reach, reach_);
+  const double reach = reach_;
   window_ = {centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach};
   const Box wide{window_.x0 - slack_, window_.y0 - slack_, window_.x1 + slack_,
                  window_.y1 + slack_};

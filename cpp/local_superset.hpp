@@ -22,9 +22,9 @@ class LocalSuperset {
     return p.x > window_.x0 && p.x < window_.x1 && p.y > window_.y0 && p.y < window_.y1;
   }
 
-  // Collects the edges around `centre`. False where they are too many within `reach`: then
+  // Collects the edges around `centre`. False where they are too many within reach(): then
   // the collection is empty, and the next one looks less far around.
-  bool gather(const Point& centre, double reach);
+  bool gather(const Point& centre);
 
   // Calls visit(edge) for those of the edges in the range that may begin on the line
   // through `origin` with direction (dx, dy), or left of it, and end right of it.

@@ -281,7 +281,7 @@ class Walker {
     };
     const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
     if ((local_.covers(from) && local_.covers(to)) ||
-        (length < local_.reach() && local_.gather(from, 0))) {
+        (length < local_.reach() && local_.gather(from))) {
       local_.for_each_to_the_right(right, origin, s.at.dx, s.at.dy, consider);
       return best;
     }
@@ -389,7 +389,7 @@ class Walker {
     };
     const Point here = relative(end.i, end.j);
     const RankRange onwards{rank, wrapped(rank + directions_.half_turn - 1)};
-    if (local_.covers(here) || local_.gather(here, 0)) {
+    if (local_.covers(here) || local_.gather(here)) {
       local_.for_each_through(onwards, here, consider);
     } else {
       const Segment segment({}, here, here, here, slack_);
