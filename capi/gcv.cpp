@@ -3,8 +3,11 @@
 // The C interface: arguments are checked here, and all else is the core's.
 #include "gcv/gcv.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,7 +16,9 @@
 #include "area.hpp"
 #include "guard.hpp"
 #include "minkowski_sum.hpp"
+#include "parallel.hpp"
 #include "polygon.hpp"
+#include "task.hpp"
 #include "wkt.hpp"
 
 struct gcv_polygon {
@@ -65,16 +70,25 @@ std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_
   return points;
 }
 
+// The options of version 0.1 as it was first: the least that a caller can have.
+struct FirstOptions {
+  std::uint32_t struct_size;
+  std::int32_t rounding;
+  double tolerance;
+};
+
 // The options that this version knows, from a struct of any version.
-gcv::Options read_options(const gcv_options* options) {
+gcv_options read_options(const gcv_options* options) {
+  gcv_options known = GCV_OPTIONS_INIT;
   if (options == nullptr) {
-    return {};
+    return known;
   }
   const std::uint32_t size = options->struct_size;
-  if (size < sizeof(gcv_options)) {
+  if (size != sizeof(FirstOptions) && size < sizeof(gcv_options)) {
     throw Error(Status::invalid_argument,
-                "options: struct_size is %u, less than %zu; initialise it with GCV_OPTIONS_INIT",
-                size, sizeof(gcv_options));
+                "options: struct_size is %u, neither %zu nor at least %zu; initialise it with "
+                "GCV_OPTIONS_INIT",
+                size, sizeof(FirstOptions), sizeof(gcv_options));
   }
   const auto* const bytes = reinterpret_cast<const unsigned char*>(options);
   for (std::size_t k = sizeof(gcv_options); k < size; ++k) {
@@ -85,16 +99,45 @@ gcv::Options read_options(const gcv_options* options) {
                   k, size);
     }
   }
-  if (options->rounding != GCV_ROUND_NEAREST && options->rounding != GCV_ROUND_OUTWARD) {
+  std::memcpy(&known, options, std::min<std::size_t>(size, sizeof known));
+  if (known.rounding != GCV_ROUND_NEAREST && known.rounding != GCV_ROUND_OUTWARD) {
     throw Error(Status::invalid_argument, "options: rounding is %d, neither %d nor %d",
-                options->rounding, static_cast<int>(GCV_ROUND_NEAREST),
+                known.rounding, static_cast<int>(GCV_ROUND_NEAREST),
                 static_cast<int>(GCV_ROUND_OUTWARD));
   }
-  if (!(options->tolerance == 0)) {
+  if (!(known.tolerance == 0)) {
     throw Error(Status::invalid_argument, "options: tolerance is %g, only 0 is known",
-                options->tolerance);
+                known.tolerance);
   }
-  return {static_cast<gcv::Rounding>(options->rounding)};
+  if (known.threads < 0) {
+    throw Error(Status::invalid_argument, "options: threads is %d, below 0", known.threads);
+  }
+  return known;
+}
+
+unsigned threads_of(const gcv_options& options) {
+  return options.threads == 0 ? gcv::available_threads() : static_cast<unsigned>(options.threads);
+}
+
+gcv::Rounding rounding_of(const gcv_options& options) {
+  return static_cast<gcv::Rounding>(options.rounding);
+}
+
+// A guess of the steps of a sum: edges walked and vertices rounded.
+std::uint64_t estimated_steps(const gcv::Operand& a, const gcv::Operand& b) {
+  return 2 * (std::uint64_t{a.polygon->size()} + b.polygon->size());
+}
+
+// The outer face of a + b + shift, reported from start to end.
+gcv_outer_face* new_outer_face(const gcv::Operand& a, const gcv::Operand& b, const Point& shift,
+                               const gcv_options& options) {
+  gcv::Task task(threads_of(options), options.progress, options.progress_context,
+                 estimated_steps(a, b));
+  task.begin();
+  std::unique_ptr<gcv_outer_face> face(
+      new gcv_outer_face{gcv::minkowski_sum(a, b, shift, rounding_of(options), task)});
+  task.finish();
+  return face.release();
 }
 
 Point read_reference(const double reference[2], const char* name) {
@@ -137,6 +180,74 @@ gcv::Operand operand(const gcv_polygon* polygon, const char* name) {
 gcv::Operand reflected_operand(const gcv_polygon* polygon, const char* name) {
   return {std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon->polygon)), name};
 }
+
+// The pairs of gcv_minkowski_sum_many.
+class Batch {
+ public:
+  Batch(const gcv_polygon* const* a, const gcv_polygon* const* b, std::size_t count,
+        const gcv_options& options)
+      : a_(a), b_(b), options_(options), faces_(count), statuses_(count), first_failed_(count) {}
+
+  void run(gcv_outer_face** out, gcv_status* statuses) {
+    gcv::Task task(1, options_.progress, options_.progress_context, estimate());
+    task.begin();
+    gcv::for_each_in_parallel(faces_.size(), threads_of(options_),
+                              [&](std::size_t k) { add(k, task); });
+    task.finish();
+    if (first_failed_ < faces_.size()) {
+      static_cast<void>(gcv::capi::record(failure_));
+    }
+    std::copy(statuses_.begin(), statuses_.end(), statuses);
+    std::transform(faces_.begin(), faces_.end(), out,
+                   [](std::unique_ptr<gcv_outer_face>& face) { return face.release(); });
+  }
+
+ private:
+  [[nodiscard]] std::uint64_t estimate() const {
+    std::uint64_t steps = 0;
+    for (std::size_t k = 0; k < faces_.size(); ++k) {
+      if (a_[k] != nullptr && b_[k] != nullptr) {
+        steps += estimated_steps(operand(a_[k], "a"), operand(b_[k], "b"));
+      }
+    }
+    return steps;
+  }
+
+  // Computes pair k. Throws Error: cancelled.
+  void add(std::size_t k, gcv::Task& task) {
+    task.advance(0);
+    try {
+      require(a_[k], "a");
+      require(b_[k], "b");
+      faces_[k].reset(new gcv_outer_face{gcv::minkowski_sum(
+          operand(a_[k], "a"), operand(b_[k], "b"), {0, 0}, rounding_of(options_), task)});
+    } catch (...) {
+      const Error error = gcv::capi::current_error();
+      if (error.status() == Status::cancelled) {
+        throw;
+      }
+      fail(k, error);
+    }
+  }
+
+  void fail(std::size_t k, const Error& error) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    statuses_[k] = static_cast<gcv_status>(error.status());
+    if (k < first_failed_) {
+      first_failed_ = k;
+      failure_ = Error(error.status(), "pair %zu: %s", k, error.what());
+    }
+  }
+
+  const gcv_polygon* const* a_;
+  const gcv_polygon* const* b_;
+  const gcv_options& options_;
+  std::vector<std::unique_ptr<gcv_outer_face>> faces_;
+  std::vector<gcv_status> statuses_;
+  std::mutex mutex_;
+  std::size_t first_failed_;
+  Error failure_{Status::ok, "%s", ""};
+};
 
 // Sums of a handle's coordinates can overflow.
 double finite_sum(double a, double b) {
@@ -181,6 +292,8 @@ const char* gcv_status_name(gcv_status status) {
       return "GCV_ERR_PARSE";
     case GCV_ERR_NO_MEMORY:
       return "GCV_ERR_NO_MEMORY";
+    case GCV_ERR_CANCELLED:
+      return "GCV_ERR_CANCELLED";
     case GCV_ERR_INTERNAL:
       return "GCV_ERR_INTERNAL";
     default:
@@ -257,8 +370,8 @@ gcv_status gcv_minkowski_sum(const gcv_polygon* a, const gcv_polygon* b, const g
     require(a, "a");
     require(b, "b");
     require(out, "out");
-    const gcv::Options known = read_options(options);
-    *out = new gcv_outer_face{gcv::minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0}, known)};
+    const gcv_options known = read_options(options);
+    *out = new_outer_face(operand(a, "a"), operand(b, "b"), {0, 0}, known);
   });
 }
 
@@ -269,10 +382,10 @@ gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* movin
     require(fixed, "fixed");
     require(moving, "moving");
     require(out, "out");
-    const gcv::Options known = read_options(options);
+    const gcv_options known = read_options(options);
     const Point shift = read_reference(reference, "reference");
-    *out = new gcv_outer_face{gcv::minkowski_sum(
-        operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift, known)};
+    *out =
+        new_outer_face(operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift, known);
   });
 }
 
@@ -282,10 +395,24 @@ gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const 
     require(a, "a");
     require(b, "b");
     require(out, "out");
-    const gcv::Options known = read_options(options);
+    const gcv_options known = read_options(options);
     const Point shift = read_reference(a0, "a0");
-    *out = new gcv_outer_face{
-        gcv::minkowski_sum(reflected_operand(a, "a"), operand(b, "b"), shift, known)};
+    *out = new_outer_face(reflected_operand(a, "a"), operand(b, "b"), shift, known);
+  });
+}
+
+gcv_status gcv_minkowski_sum_many(const gcv_polygon* const* a, const gcv_polygon* const* b,
+                                  size_t count, const gcv_options* options, gcv_outer_face** out,
+                                  gcv_status* statuses) {
+  return guarded([&] {
+    if (count == 0) {
+      return;
+    }
+    require(a, "a");
+    require(b, "b");
+    require(out, "out");
+    require(statuses, "statuses");
+    Batch(a, b, count, read_options(options)).run(out, statuses);
   });
 }
 

@@ -9,9 +9,6 @@
 #include <cfenv>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <new>
-#include <stdexcept>
 
 #include "error.hpp"
 #include "gcv/gcv.h"
@@ -39,22 +36,17 @@ class DefaultFloatingPoint {
   std::fenv_t callers_{};
 };
 
+// The exception that is being handled, as an error.
+Error current_error() noexcept;
+
 template <class Body>
 gcv_status guarded(Body body) noexcept {
   const DefaultFloatingPoint environment;
   try {
     body();
     return GCV_OK;
-  } catch (const Error& error) {
-    return record(error);
-  } catch (const std::bad_alloc&) {
-    return record(Error(Status::no_memory, "not enough memory"));
-  } catch (const std::length_error&) {
-    return record(Error(Status::no_memory, "more memory than a vector can hold"));
-  } catch (const std::exception& exception) {
-    return record(Error(Status::internal, "unexpected: %s", exception.what()));
   } catch (...) {
-    return record(Error(Status::internal, "unexpected exception"));
+    return record(current_error());
   }
 }
 

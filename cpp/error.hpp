@@ -21,6 +21,7 @@ enum class Status : std::int32_t {
   range = 7,
   parse = 8,
   no_memory = 9,
+  cancelled = 11,
   internal = 100,
 };
 

@@ -21,14 +21,14 @@ EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const 
 
 }  // namespace
 
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
-                        const Options& options) {
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
+                        Task& task) {
   const Polygon& pa = *a.polygon;
   const Polygon& pb = *b.polygon;
   OuterFace face;
   Tally& tally = face.counts.predicates;
   const Operands operands{pa, pb, merge_directions(pa, pb, tally)};
-  Walk walk = walk_outer_face(operands, tally);
+  Walk walk = walk_outer_face(operands, task, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
   face.sources.reserve(walk.leaving.size());
@@ -37,8 +37,8 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
   }
   face.exact = {
       a, b, shift, std::move(walk.vertices), std::move(walk.arriving), std::move(walk.leaving)};
-  face.rounded = options.rounding == Rounding::nearest ? round_to_nearest(face.exact, tally)
-                                                       : round_outward(face.exact, tally);
+  face.rounded = rounding == Rounding::nearest ? round_to_nearest(face.exact, task, tally)
+                                               : round_outward(face.exact, task, tally);
   return face;
 }
 

@@ -12,6 +12,7 @@
 #include "predicates.hpp"
 #include "rounding.hpp"
 #include "superset.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -32,13 +33,9 @@ struct OuterFace {
 // The values are those of gcv_options.rounding.
 enum class Rounding : std::int32_t { nearest = 0, outward = 1 };
 
-struct Options {
-  Rounding rounding = Rounding::nearest;
-};
-
-// The outer face of a + b + shift. Throws Error: range, internal.
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
-                        const Options& options);
+// The outer face of a + b + shift. Throws Error: range, cancelled, internal.
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
+                        Task& task);
 
 // The explicit superset of a + b, its sources in the callers' numbers.
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);

@@ -29,8 +29,10 @@
 
 #include "convex_sum.hpp"
 #include "error.hpp"
+#include "hull.hpp"
 #include "implicit_superset.hpp"
 #include "local_superset.hpp"
+#include "parallel.hpp"
 
 namespace gcv {
 
@@ -106,6 +108,24 @@ class Segment {
   double slack_;
 };
 
+// A walk from one vertex of the hull to the next, and the edge that it arrived by.
+struct Arc {
+  Walk walk;
+  PairEdge last;
+  Tally tally;
+};
+
+// Moves the elements to the end of the list.
+template <class Element>
+void append(std::vector<Element>& list, std::vector<Element>& elements) {
+  if (list.empty()) {
+    list = std::move(elements);
+  } else {
+    list.insert(list.end(), elements.begin(), elements.end());
+    elements = {};
+  }
+}
+
 double slack_of(const Operands& operands) {
   const Box& a = operands.a.bounds;
   const Box& b = operands.b.bounds;
@@ -113,31 +133,33 @@ double slack_of(const Operands& operands) {
   return 32 * unit_roundoff * extents + std::numeric_limits<double>::min();
 }
 
+// A walk from one vertex of the convex hull of the sum to another. Such a vertex is on the
+// outer face, and the sum of two vertices in one way only: no superset edge passes through
+// it, so the walk leaves it along one that starts there, and arrives by the end of another.
 class Walker {
  public:
-  Walker(const Operands& operands, Tally& tally)
-      : operands_(operands),
-        directions_(operands.directions),
-        superset_(operands),
-        slack_(slack_of(operands)),
+  Walker(const ImplicitSuperset& superset, double slack, Task& task)
+      : operands_(superset.operands()),
+        directions_(operands_.directions),
+        superset_(superset),
+        slack_(slack),
         local_(superset_, slack_),
-        tally_(tally) {}
+        task_(task) {}
 
-  Walk run() {
-    const Index i0 = operands_.a.lexicographic_min;
-    const Index j0 = operands_.b.lexicographic_min;
-    Place place = sum_place(i0, j0);
-    Line line = line_of(first_edge(i0, j0));
-    append(place, line, line);  // the edge that arrives here is known in the end
+  // The first vertex has no arriving edge yet: it is that of the walk that ends there.
+  Arc run(const HullVertex& first, const HullVertex& last) {
+    Place place = sum_place(first.i, first.j);
+    Line line = line_of(first_edge(first.i, first.j));
+    append(place, line, line);
     while (true) {
-      check_progress();
+      count_step();
       Line next;
       if (const std::optional<Event> event = first_event(line, place)) {
         place = event->place;
         next = event->line;
       } else {
         place = end_of(line.edge);
-        if (place.i == i0 && place.j == j0) {
+        if (place.i == last.i && place.j == last.j) {
           break;
         }
         next = edge_onwards(line, place);
@@ -151,8 +173,8 @@ class Walker {
       }
       line = next;
     }
-    walk_.arriving.front() = line.edge;
-    return std::move(walk_);
+    task_.advance(walk_.steps % Task::portion);
+    return {std::move(walk_), line.edge, tally_};
   }
 
  private:
@@ -164,9 +186,13 @@ class Walker {
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
   // that no real N brings above 64. A walk beyond that has lost its way.
-  void check_progress() {
+  void count_step() {
+    if (++walk_.steps % Task::portion != 0) {
+      return;
+    }
+    task_.advance(Task::portion);
     const double segments = 2.0 * operands_.a.size() * operands_.b.size();
-    if (static_cast<double>(++walk_.steps) > 64 * segments) {
+    if (static_cast<double>(walk_.steps) > 64 * segments) {
       throw Error(Status::internal, "the walk along the outer face does not end");
     }
   }
@@ -416,20 +442,45 @@ class Walker {
 
   const Operands& operands_;
   const Directions& directions_;
-  ImplicitSuperset superset_;
+  const ImplicitSuperset& superset_;
   double slack_;
   LocalSuperset local_;
-  Tally& tally_;
+  Task& task_;
+  Tally tally_;
   Walk walk_;
 };
 
+// The ring of the arcs.
+Walk join(std::vector<Arc> arcs, Tally& tally) {
+  Walk walk;
+  const PairEdge* arriving = &arcs.back().last;
+  for (Arc& arc : arcs) {
+    arc.walk.arriving.front() = *arriving;
+    arriving = &arc.last;
+    append(walk.vertices, arc.walk.vertices);
+    append(walk.arriving, arc.walk.arriving);
+    append(walk.leaving, arc.walk.leaving);
+    walk.steps += arc.walk.steps;
+    walk.candidates += arc.walk.candidates;
+    tally += arc.tally;
+  }
+  return walk;
+}
+
 }  // namespace
 
-Walk walk_outer_face(const Operands& operands, Tally& tally) {
+Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally) {
   if (operands.a.is_convex && operands.b.is_convex) {
     return merge_convex(operands);
   }
-  return Walker(operands, tally).run();
+  const ImplicitSuperset superset(operands);
+  const double slack = slack_of(operands);
+  const std::vector<HullVertex> starts = hull_vertices(operands.a, operands.b, task.threads());
+  std::vector<Arc> arcs(starts.size());
+  for_each_in_parallel(arcs.size(), task.threads(), [&](std::size_t k) {
+    arcs[k] = Walker(superset, slack, task).run(starts[k], starts[(k + 1) % starts.size()]);
+  });
+  return join(std::move(arcs), tally);
 }
 
 }  // namespace gcv

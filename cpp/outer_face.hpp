@@ -9,6 +9,7 @@
 
 #include "contributing_vertices.hpp"
 #include "predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -32,6 +33,6 @@ struct Walk {
   std::uint64_t candidates = 0;
 };
 
-Walk walk_outer_face(const Operands& operands, Tally& tally);
+Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally);
 
 }  // namespace gcv

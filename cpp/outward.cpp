@@ -32,11 +32,11 @@ struct Grown {
   std::optional<Placement> placement;
 };
 
-Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Tally& tally) {
+Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, Tally& tally) {
   const std::vector<Point> square{{-d, -d}, {d, -d}, {d, d}, {-d, d}};
   const auto growth = std::make_shared<const Polygon>(make_polygon(square, "square"));
   const Operands operands{*polygon, *growth, merge_directions(*polygon, *growth, tally)};
-  Walk walk = walk_outer_face(operands, tally);
+  Walk walk = walk_outer_face(operands, task, tally);
   Grown grown{{{polygon, "the rounded ring"},
                {growth, "the square"},
                {0, 0},
@@ -45,8 +45,11 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Tally& tally
                std::move(walk.leaving)},
               {}};
   try {
-    grown.placement = place_simply(grown.ring, tally);
-  } catch (const Error&) {
+    grown.placement = place_simply(grown.ring, task, tally);
+  } catch (const Error& error) {
+    if (error.status() != Status::range) {
+      throw;
+    }
     throw Error(Status::range, "the ring around the outer face goes beyond the largest double");
   }
   return grown;
@@ -84,8 +87,8 @@ double lost_distance(const Grown& grown, double unit) {
 
 }  // namespace
 
-RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
-  RoundedRing nearest = round_to_nearest(ring, tally);
+RoundedRing round_outward(const ExactRing& ring, Task& task, Tally& tally) {
+  RoundedRing nearest = round_to_nearest(ring, task, tally);
   if (nearest.error_bound == 0) {
     return nearest;
   }
@@ -99,7 +102,7 @@ RoundedRing round_outward(const ExactRing& ring, Tally& tally) {
     d *= 2;
   }
   for (int tries = 0; tries < 6; ++tries) {
-    const Grown grown = grow(polygon, d, tally);
+    const Grown grown = grow(polygon, d, task, tally);
     if (grown.placement && sum_bound(nearest.error_bound, grown.placement->error_bound) < d) {
       const double error = std::max(1.5 * d, lost_distance(grown, unit)) + nearest.error_bound +
                            grown.placement->error_bound;

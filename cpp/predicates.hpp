@@ -20,6 +20,13 @@ struct Tally {
   std::uint64_t filtered = 0;
   std::uint64_t fixed_width = 0;
   std::uint64_t rational = 0;
+
+  Tally& operator+=(const Tally& other) {
+    filtered += other.filtered;
+    fixed_width += other.fixed_width;
+    rational += other.rational;
+    return *this;
+  }
 };
 
 // The sign of (q - p) x (r - p): 1 where p, q, r turn left, -1 right, 0 collinear.

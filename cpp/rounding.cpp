@@ -120,10 +120,13 @@ std::vector<Point> ring_through(const std::vector<Point>& places) {
   return ring;
 }
 
-Placement place_nearest(const ExactRing& ring, Tally& tally) {
+Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   Placement placement;
   placement.places.reserve(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (k % Task::portion == 0) {
+      task.advance(std::min<std::size_t>(Task::portion, ring.size() - k));
+    }
     const RoundedVertex vertex = rounded_vertex(ring, k, tally);
     check_finite(ring, k, vertex);
     placement.places.push_back({vertex.x.value, vertex.y.value});
@@ -133,8 +136,8 @@ Placement place_nearest(const ExactRing& ring, Tally& tally) {
   return placement;
 }
 
-std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally) {
-  const Placement nearest = place_nearest(ring, tally);
+std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally) {
+  const Placement nearest = place_nearest(ring, task, tally);
   const std::vector<Point> snapped = snap(nearest.places).vertices;
   if (snapped.size() >= 3 && !find_conflict(snapped) && is_counter_clockwise(snapped)) {
     return nearest;
@@ -158,11 +161,11 @@ std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally) {
 
 // Moving the vertices of a ring by at most d moves each point of it by at most d, so the
 // rings are within the largest error of a vertex of each other.
-RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally) {
-  if (const std::optional<Placement> placement = place_simply(ring, tally)) {
+RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally) {
+  if (const std::optional<Placement> placement = place_simply(ring, task, tally)) {
     return {ring_through(placement->places), placement->error_bound, placement->repaired};
   }
-  const Placement nearest = place_nearest(ring, tally);
+  const Placement nearest = place_nearest(ring, task, tally);
   const std::optional<UntangledRing> untangled = untangle(snap(nearest.places).vertices, tally);
   if (!untangled) {
     throw Error(Status::range, "the outer face is too small for doubles: rounding leaves no area");

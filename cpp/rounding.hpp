@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "exact_ring.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -21,12 +22,12 @@ struct Placement {
 
 // The nearest doubles, ties to even, for each coordinate. Throws Error: range, where one is
 // not finite.
-Placement place_nearest(const ExactRing& ring, Tally& tally);
+Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally);
 
 // The nearest doubles; where the ring through them is not simple, vertices in the way are
 // moved apart (repair.hpp). Nothing where that does not make it simple. Throws as
 // place_nearest.
-std::optional<Placement> place_simply(const ExactRing& ring, Tally& tally);
+std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally);
 
 struct RoundedRing {
   // A simple ring, counter-clockwise, from its lexicographically smallest vertex.
@@ -40,7 +41,7 @@ struct RoundedRing {
 // place make it simple, because features are smaller than those, the outer face of the
 // nearest one, without what it cuts off (untangle.hpp). Throws Error: range, where a
 // coordinate is not finite, or where nothing with an area is left.
-RoundedRing round_to_nearest(const ExactRing& ring, Tally& tally);
+RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally);
 
 // The ring through the places, each once.
 std::vector<Point> ring_through(const std::vector<Point>& places);

@@ -10,13 +10,15 @@
 HOLDS(statuses, GCV_OK == 0 && GCV_ERR_NULL_ARGUMENT == 1 && GCV_ERR_INVALID_ARGUMENT == 2 &&
                     GCV_ERR_NOT_FINITE == 3 && GCV_ERR_DEGENERATE == 4 && GCV_ERR_NOT_SIMPLE == 5 &&
                     GCV_ERR_BUFFER_TOO_SMALL == 6 && GCV_ERR_RANGE == 7 && GCV_ERR_PARSE == 8 &&
-                    GCV_ERR_NO_MEMORY == 9 && GCV_ERR_INTERNAL == 100);
+                    GCV_ERR_NO_MEMORY == 9 && GCV_ERR_CANCELLED == 11 && GCV_ERR_INTERNAL == 100);
 HOLDS(roundings, GCV_ROUND_NEAREST == 0 && GCV_ROUND_OUTWARD == 1);
 HOLDS(kinds, GCV_EDGE_TRANSLATED == 1 && GCV_EDGE_CORNER == 2 && GCV_EDGE_TRANSLATED_CORNER == 3);
 
-HOLDS(options_layout, sizeof(gcv_options) == 16 && offsetof(gcv_options, struct_size) == 0 &&
-                          offsetof(gcv_options, rounding) == 4 &&
-                          offsetof(gcv_options, tolerance) == 8);
+HOLDS(options_layout,
+      sizeof(gcv_options) == 40 && offsetof(gcv_options, struct_size) == 0 &&
+          offsetof(gcv_options, rounding) == 4 && offsetof(gcv_options, tolerance) == 8 &&
+          offsetof(gcv_options, threads) == 16 && offsetof(gcv_options, progress) == 24 &&
+          offsetof(gcv_options, progress_context) == 32);
 HOLDS(source_layout, sizeof(gcv_edge_source) == 12 && offsetof(gcv_edge_source, kind) == 0 &&
                          offsetof(gcv_edge_source, a) == 4 && offsetof(gcv_edge_source, b) == 8);
 HOLDS(edge_layout,
@@ -52,6 +54,8 @@ FUNCTION(polygon_bounds, int32_t, const gcv_polygon *, double *);
 FUNCTION(options_init, void, gcv_options *);
 FUNCTION(minkowski_sum, int32_t, const gcv_polygon *, const gcv_polygon *, const gcv_options *,
          gcv_outer_face **);
+FUNCTION(minkowski_sum_many, int32_t, const gcv_polygon *const *, const gcv_polygon *const *,
+         size_t, const gcv_options *, gcv_outer_face **, gcv_status *);
 FUNCTION(no_fit_polygon, int32_t, const gcv_polygon *, const gcv_polygon *, const double *,
          const gcv_options *, gcv_outer_face **);
 FUNCTION(entrance_block, int32_t, const gcv_polygon *, const gcv_polygon *, const double *,

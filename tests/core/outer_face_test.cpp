@@ -18,8 +18,10 @@ using test::Random;
 using test::Ring;
 
 OuterFace sum_of(const Ring& a, const Ring& b) {
+  Task task;
   return minkowski_sum({std::make_shared<Polygon>(make_polygon(a, "a")), "a"},
-                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, {0, 0}, {});
+                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, {0, 0},
+                       Rounding::nearest, task);
 }
 
 Ring scaled(Ring ring, double factor) {

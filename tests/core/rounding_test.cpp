@@ -83,8 +83,10 @@ std::pair<Rational, Rational> exact_point(const ExactRing& ring, std::size_t k) 
 }
 
 OuterFace sum_of(const Ring& a, const Ring& b, const Point& shift) {
+  Task task;
   return minkowski_sum({std::make_shared<Polygon>(make_polygon(a, "a")), "a"},
-                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, shift, {});
+                       {std::make_shared<Polygon>(make_polygon(b, "b")), "b"}, shift,
+                       Rounding::nearest, task);
 }
 
 TEST(Rounding, IsNearestWithACertifiedBound) {
@@ -154,7 +156,8 @@ OuterFace turned_slot(int m, int n) {
 
 bool nearest_places_are_simple(const ExactRing& ring) {
   Tally tally;
-  return !find_conflict(place_nearest(ring, tally).places);
+  Task task;
+  return !find_conflict(place_nearest(ring, task, tally).places);
 }
 
 TEST(Rounding, KeepsSlitsThinnerThanAnUlpOpen) {

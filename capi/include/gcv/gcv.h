@@ -94,6 +94,8 @@ enum {
   GCV_ERR_PARSE = 8,
   /** There is not enough memory. */
   GCV_ERR_NO_MEMORY = 9,
+  /** The caller's progress function ended the computation. */
+  GCV_ERR_CANCELLED = 11,
   /** A defect of this library; please report it with the input. */
   GCV_ERR_INTERNAL = 100
 };
@@ -248,13 +250,26 @@ typedef struct gcv_options {
    *  all, but for the rounding. Other values are refused by this version with
    *  GCV_ERR_INVALID_ARGUMENT. */
   double tolerance;
+  /** How many threads work on the sum, the calling one among them: 1 by default,
+   *  0 for as many as the machine runs at once. The result is the same, to the bit,
+   *  for every number. */
+  int32_t threads;
+  /** Called now and then during long work, or NULL: at the start, at the end, and in
+   *  between at most every few thousand steps; from the calling thread alone, in the
+   *  default floating-point environment. `done` steps of about `estimate` (a guess,
+   *  never below `done`) are done. A return other than 0 cancels the computation,
+   *  which then returns GCV_ERR_CANCELLED. Must return: no longjmp. */
+  int32_t (*progress)(void *context, uint64_t done, uint64_t estimate);
+  /** Handed to `progress`. */
+  void *progress_context;
 } gcv_options;
 
 /** The default options, as an initialiser. */
 #define GCV_OPTIONS_INIT \
-  { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0 }
+  { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL }
 
-/** Sets the default options. NULL is allowed and does nothing. @since 0.1 */
+/** Sets the default options, with the struct_size of the header of this library: only
+ *  for programs that are compiled with it, others start from GCV_OPTIONS_INIT. NULL is allowed and does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
 
 /* ------------------------------------------------------------- outer face -- */
@@ -319,6 +334,30 @@ GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon(const gcv_polygon *fixed,
 GCV_API GCV_NODISCARD gcv_status gcv_entrance_block(const gcv_polygon *a, const gcv_polygon *b,
                                                     const double a0[2], const gcv_options *options,
                                                     gcv_outer_face **out);
+
+/**
+ * Many sums: out[k] becomes the outer face of a[k] + b[k], for every k below `count`.
+ * The pairs are shared out over options->threads threads. A pair that fails leaves the
+ * others as they are.
+ *
+ * @param a, b      `count` polygons each; a handle may occur any number of times.
+ * @param count     their number; with 0 nothing is read or written.
+ * @param options   for all pairs, or NULL for the defaults.
+ * @param out       room for `count` outer faces, the caller's to end; NULL for a pair
+ *                  that failed.
+ * @param statuses  room for `count` statuses, each as gcv_minkowski_sum would return.
+ * @return GCV_OK where every pair was tried: look at the statuses then. The message of
+ *         gcv_last_error_message is about the first pair that failed, and names it.
+ *         Otherwise nothing is written: GCV_ERR_NULL_ARGUMENT for a, b, out or
+ *         statuses; GCV_ERR_INVALID_ARGUMENT for an option; GCV_ERR_CANCELLED;
+ *         GCV_ERR_NO_MEMORY where there is none for the lists themselves.
+ * Exactness, threads: as gcv_minkowski_sum. Cost: that of the sums. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum_many(const gcv_polygon *const *a,
+                                                        const gcv_polygon *const *b, size_t count,
+                                                        const gcv_options *options,
+                                                        gcv_outer_face **out,
+                                                        gcv_status *statuses);
 
 /** Ends an outer face. NULL is allowed. @since 0.1 */
 GCV_API void gcv_outer_face_destroy(gcv_outer_face *face);

@@ -9,7 +9,7 @@
 #![allow(non_camel_case_types)]
 
 use std::marker::{PhantomData, PhantomPinned};
-use std::os::raw::c_char;
+use std::os::raw::{c_char, c_void};
 
 pub type gcv_status = i32;
 
@@ -23,6 +23,7 @@ pub const GCV_ERR_BUFFER_TOO_SMALL: gcv_status = 6;
 pub const GCV_ERR_RANGE: gcv_status = 7;
 pub const GCV_ERR_PARSE: gcv_status = 8;
 pub const GCV_ERR_NO_MEMORY: gcv_status = 9;
+pub const GCV_ERR_CANCELLED: gcv_status = 11;
 pub const GCV_ERR_INTERNAL: gcv_status = 100;
 
 pub const GCV_ROUND_NEAREST: i32 = 0;
@@ -59,6 +60,9 @@ pub struct gcv_options {
     pub struct_size: u32,
     pub rounding: i32,
     pub tolerance: f64,
+    pub threads: i32,
+    pub progress: Option<unsafe extern "C" fn(*mut c_void, u64, u64) -> i32>,
+    pub progress_context: *mut c_void,
 }
 
 #[repr(C)]
@@ -126,6 +130,14 @@ extern "C" {
         b: *const gcv_polygon,
         options: *const gcv_options,
         out: *mut *mut gcv_outer_face,
+    ) -> gcv_status;
+    pub fn gcv_minkowski_sum_many(
+        a: *const *const gcv_polygon,
+        b: *const *const gcv_polygon,
+        count: usize,
+        options: *const gcv_options,
+        out: *mut *mut gcv_outer_face,
+        statuses: *mut gcv_status,
     ) -> gcv_status;
     pub fn gcv_no_fit_polygon(
         fixed: *const gcv_polygon,

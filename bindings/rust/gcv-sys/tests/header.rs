@@ -40,14 +40,14 @@ macro_rules! values {
 fn layouts_and_values() {
     let mut c = String::from("#include <gcv/gcv.h>\n");
     layout!(c, gcv_status:);
-    layout!(c, gcv_options: struct_size rounding tolerance);
+    layout!(c, gcv_options: struct_size rounding tolerance threads progress progress_context);
     layout!(c, gcv_edge_source: kind a b);
     layout!(c, gcv_stats: struct_size walk_steps candidate_edges predicates_filtered
         predicates_fixed_width predicates_rational vertices_repaired);
     layout!(c, gcv_superset_edge: x0 y0 x1 y1 source);
     values!(c, GCV_OK GCV_ERR_NULL_ARGUMENT GCV_ERR_INVALID_ARGUMENT GCV_ERR_NOT_FINITE
         GCV_ERR_DEGENERATE GCV_ERR_NOT_SIMPLE GCV_ERR_BUFFER_TOO_SMALL GCV_ERR_RANGE
-        GCV_ERR_PARSE GCV_ERR_NO_MEMORY GCV_ERR_INTERNAL
+        GCV_ERR_PARSE GCV_ERR_NO_MEMORY GCV_ERR_CANCELLED GCV_ERR_INTERNAL
         GCV_ROUND_NEAREST GCV_ROUND_OUTWARD
         GCV_EDGE_TRANSLATED GCV_EDGE_CORNER GCV_EDGE_TRANSLATED_CORNER);
 
