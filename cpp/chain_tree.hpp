@@ -1,38 +1,89 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A binary tree of boxes over the edges of a boundary chain, or others in an order in which
-// neighbours are near: a leaf is one edge, every other node the edges of its two children.
-// The shape of the tree follows from the number of edges alone.
+// A tree of boxes over the edges of a boundary chain, or others in an order in which
+// neighbours are near. Every node has up to four children, whose boxes lie side by side:
+// they are looked at together. The shape of the tree follows from the number of edges alone.
 #pragma once
 
+#include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "lanes.hpp"
 #include "point.hpp"
 
 namespace gcv {
 
 struct ChainTree {
-  // In preorder: the left child follows its parent. Leaves have no right child.
-  struct Node {
-    Box box;              // of the edges below, both ends included
-    std::uint32_t right;  // the right child; 0 for a leaf
-    std::uint32_t first;  // the first edge below
-  };
-  std::vector<Node> nodes;
+  static constexpr std::uint32_t width = 4;
+  static constexpr unsigned all_lanes = 15;
 
-  // Fills values[k] of every inner node k from its children's: combine(left, right).
-  template <class Value, class Combine>
-  void gather(std::vector<Value>& values, Combine combine) const {
-    for (std::size_t k = nodes.size(); k-- > 0;) {
-      if (nodes[k].right != 0) {
-        values[k] = combine(values[k + 1], values[nodes[k].right]);
-      }
+  // The boxes of the children of one node. Those that are missing hold no point.
+  struct Block {
+    double x0[width];
+    double y0[width];
+    double x1[width];
+    double y1[width];
+
+    [[nodiscard]] Box box(std::uint32_t lane) const {
+      return {x0[lane], y0[lane], x1[lane], y1[lane]};
     }
+    void put(std::uint32_t lane, const Box& with) {
+      x0[lane] = with.x0;
+      y0[lane] = with.y0;
+      x1[lane] = with.x1;
+      y1[lane] = with.y1;
+    }
+  };
+
+  // Node k of depth d has the children 4 k to 4 k + 3 of depth d + 1. The root, which holds
+  // all edges, is node 0 of depth 0; the nodes of the last depth are the edges.
+  struct Node {
+    std::uint32_t depth;
+    std::uint32_t index;
+  };
+
+  std::vector<Block> blocks;               // from the root's to those of edges
+  std::vector<std::uint32_t> first_block;  // of the children of nodes of depth d
+  Box box{};                               // the root's
+
+  [[nodiscard]] bool is_edge(const Node& node) const { return node.depth == first_block.size(); }
+  // The number of the block of a node's children.
+  [[nodiscard]] std::uint32_t block_below(const Node& node) const {
+    return first_block[node.depth] + node.index;
+  }
+  static Node child(const Node& node, std::uint32_t lane) {
+    return {node.depth + 1, width * node.index + lane};
   }
 };
+
+// The chains of edges below the children of one node, from each vertex (x, y) to the next: no
+// point of a chain is further than its radius from the segment between its ends.
+struct CapsuleBlock {
+  double x[ChainTree::width + 1];
+  double y[ChainTree::width + 1];
+  double radius[ChainTree::width];
+};
+
+// Calls visit(lane) for every bit that is set, the lowest first.
+template <class Visit>
+void for_each_lane(unsigned lanes, Visit visit) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));
+  }
+}
+
+// The lanes of the boxes that overlap the given one, as bits. Where numbers have overflowed,
+// they do.
+inline unsigned overlapping(const ChainTree::Block& block, const Box& box) {
+  const LaneMask apart = (Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
+                         (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0);
+  return ~apart.bits() & ChainTree::all_lanes;
+}
 
 // The box of the segment pq.
 Box box_of(const Point& p, const Point& q);
@@ -43,51 +94,55 @@ ChainTree build_chain_tree(std::span<const Box> edges);
 // The tree over the edges of the closed ring.
 ChainTree build_chain_tree(std::span<const Point> ring);
 
-inline bool overlap(const Box& a, const Box& b) {
-  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
-}
+// The capsules for the blocks of the tree over that ring. O(n log n).
+std::vector<CapsuleBlock> build_capsules(const ChainTree& tree, std::span<const Point> ring);
 
 // Calls visit(i, j) for every pair of edges whose boxes overlap, once.
 template <class Visit>
 class OverlappingPairs {
  public:
-  OverlappingPairs(const ChainTree& tree, Visit& visit)
-      : nodes_(tree.nodes.data()), visit_(visit) {}
+  OverlappingPairs(const ChainTree& tree, Visit& visit) : tree_(tree), visit_(visit) {}
 
-  void within(std::uint32_t node) {
-    const std::uint32_t right = nodes_[node].right;
-    if (right != 0) {
-      within(node + 1);
-      within(right);
-      between(node + 1, right);
+  void within(const ChainTree::Node& node) {
+    if (tree_.is_edge(node)) {
+      return;
+    }
+    const ChainTree::Block& block = tree_.blocks[tree_.block_below(node)];
+    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
+      if (!(block.x0[lane] <= block.x1[lane])) {
+        break;
+      }
+      const ChainTree::Node child = ChainTree::child(node, lane);
+      const unsigned later = ~0U << (lane + 1);
+      for_each_lane(overlapping(block, block.box(lane)) & later, [&](std::uint32_t other) {
+        between(child, block.box(lane), ChainTree::child(node, other), block.box(other));
+      });
+      within(child);
     }
   }
 
  private:
-  void between(std::uint32_t k, std::uint32_t l) {
-    const ChainTree::Node& first = nodes_[k];
-    const ChainTree::Node& second = nodes_[l];
-    if (!overlap(first.box, second.box)) {
-      return;
-    }
-    if (first.right == 0 && second.right == 0) {
-      visit_(first.first, second.first);
-    } else if (second.right == 0) {
-      between(k + 1, l);
-      between(first.right, l);
+  void between(const ChainTree::Node& a, const Box& box_a, const ChainTree::Node& b,
+               const Box& box_b) {
+    if (a.depth > b.depth) {
+      between(b, box_b, a, box_a);
+    } else if (tree_.is_edge(a)) {
+      visit_(a.index, b.index);
     } else {
-      between(k, l + 1);
-      between(k, second.right);
+      const ChainTree::Block& block = tree_.blocks[tree_.block_below(a)];
+      for_each_lane(overlapping(block, box_b), [&](std::uint32_t lane) {
+        between(b, box_b, ChainTree::child(a, lane), block.box(lane));
+      });
     }
   }
 
-  const ChainTree::Node* nodes_;
+  const ChainTree& tree_;
   Visit& visit_;
 };
 
 template <class Visit>
 void for_each_overlapping_pair(const ChainTree& tree, Visit visit) {
-  OverlappingPairs<Visit>(tree, visit).within(0);
+  OverlappingPairs<Visit>(tree, visit).within({0, 0});
 }
 
 }  // namespace gcv

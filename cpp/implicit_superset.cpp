@@ -5,35 +5,42 @@ namespace gcv {
 
 ImplicitSuperset::ImplicitSuperset(const Operands& operands)
     : operands_(operands),
-      sectors_a_(node_sectors(operands.a, operands.directions.rank_a)),
-      sectors_b_(node_sectors(operands.b, operands.directions.rank_b)) {}
+      a_{operands.a.tree, operands.a.capsules,
+         node_sectors(operands.a, operands.directions.rank_a)},
+      b_{operands.b.tree, operands.b.capsules,
+         node_sectors(operands.b, operands.directions.rank_b)} {}
 
-// The sectors that the range touches. Sector numbers grow with ranks, so a rank in the
-// range lies in one of them.
-Sectors ImplicitSuperset::sectors(const RankRange& range) const {
+// Sector numbers grow with ranks, so a rank in the range lies in one of them.
+Sectors ImplicitSuperset::sectors(Rank first, Rank last) const {
   constexpr std::uint64_t most = 64;
   const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
   const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
-  const Sectors from_first = ~Sectors{0} << sector(range.first);
-  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(range.last));
-  return range.first <= range.last ? from_first & to_last : from_first | to_last;
+  const Sectors from_first = ~Sectors{0} << sector(first);
+  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
+  return first <= last ? from_first & to_last : from_first | to_last;
 }
 
-std::vector<ImplicitSuperset::NodeSectors> ImplicitSuperset::node_sectors(
+std::vector<ImplicitSuperset::SectorBlock> ImplicitSuperset::node_sectors(
     const Polygon& polygon, const std::vector<Rank>& ranks) const {
-  const std::vector<ChainTree::Node>& nodes = polygon.tree.nodes;
-  std::vector<NodeSectors> result(nodes.size());
-  for (std::size_t k = 0; k < nodes.size(); ++k) {
-    if (nodes[k].right == 0) {
-      const Index i = nodes[k].first;
-      result[k].edges = sectors({ranks[i], ranks[i]});
-      result[k].cones =
-          polygon.convex[i] != 0 ? sectors({ranks[polygon.previous(i)], ranks[i]}) : 0;
+  constexpr std::uint32_t width = ChainTree::width;
+  const std::vector<std::uint32_t>& first_block = polygon.tree.first_block;
+  std::vector<SectorBlock> result(polygon.tree.blocks.size());
+  for (Index i = 0; i < polygon.size(); ++i) {
+    SectorBlock& block = result[first_block.back() + i / width];
+    block.edges[i % width] = sectors(ranks[i], ranks[i]);
+    block.cones[i % width] =
+        polygon.convex[i] != 0 ? sectors(ranks[polygon.previous(i)], ranks[i]) : 0;
+  }
+  for (std::size_t depth = first_block.size() - 1; depth-- > 0;) {
+    const std::uint32_t children = first_block[depth + 1];
+    const std::size_t end = depth + 2 < first_block.size() ? first_block[depth + 2] : result.size();
+    for (std::uint32_t k = 0; children + k < end; ++k) {
+      const SectorBlock& child = result[children + k];
+      SectorBlock& block = result[first_block[depth] + k / width];
+      block.edges[k % width] = child.edges[0] | child.edges[1] | child.edges[2] | child.edges[3];
+      block.cones[k % width] = child.cones[0] | child.cones[1] | child.cones[2] | child.cones[3];
     }
   }
-  polygon.tree.gather(result, [](const NodeSectors& l, const NodeSectors& r) {
-    return NodeSectors{l.edges | r.edges, l.cones | r.cones};
-  });
   return result;
 }
 

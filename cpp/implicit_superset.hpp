@@ -7,6 +7,7 @@
 // that is searched.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,103 +19,135 @@ namespace gcv {
 // there are no more.
 using Sectors = std::uint64_t;
 
-// A closed range of ranks, counter-clockwise from first to last; never a full turn.
-struct RankRange {
-  Rank first;
-  Rank last;
-};
-
 class ImplicitSuperset {
  public:
   explicit ImplicitSuperset(const Operands& operands);
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
 
-  // Visits superset edges (translated and corner edges, not merged) with ranks in
-  // `range`: all of those for which `reaches` holds of every box that they lie in, and
-  // maybe others.
-  //   reaches(const Box& a, const Box& b): can an edge in the sum of the boxes matter?
-  //   nearness(const Box& a, const Box& b): smaller comes first.
-  //   visit(const PairEdge&): one superset edge.
-  // The answers of `reaches` may become stricter during the visit.
-  template <class Reaches, class Nearness, class Visit>
-  void search(const RankRange& range, Reaches reaches, Nearness nearness, Visit visit) const {
-    Search<Reaches, Nearness, Visit> search{
-        operands_,      sectors_a_.data(), sectors_b_.data(), range,
-        sectors(range), reaches,           nearness,          visit};
-    search.descend(0, 0);
-  }
-
- private:
   struct NodeSectors {
     Sectors edges;  // the directions of the edges below the node
     Sectors cones;  // the directions that its convex vertices contribute to
   };
 
-  template <class Reaches, class Nearness, class Visit>
-  struct Search {
-    const Operands& operands;
-    const NodeSectors* sectors_a;
-    const NodeSectors* sectors_b;
-    const RankRange& range;
-    Sectors wanted;
-    Reaches& reaches;
-    Nearness& nearness;
-    Visit& visit;
+  // The direction of an edge, in which a search looks at the polygons: the offset of a point p
+  // is direction x p.
+  struct Offsets {
+    double lowest;
+    double highest;
+  };
 
-    [[nodiscard]] bool matters(Index ka, Index kb) const {
-      const NodeSectors& sa = sectors_a[ka];
-      const NodeSectors& sb = sectors_b[kb];
-      return (((sa.edges & sb.cones) | (sa.cones & sb.edges)) & wanted) != 0 &&
-             reaches(operands.a.tree.nodes[ka].box, operands.b.tree.nodes[kb].box);
+  struct Node {
+    ChainTree::Node place;
+    NodeSectors sectors;
+    Box box;
+    Offsets offsets;  // of the points below the node
+  };
+
+  // The children of a node.
+  struct Block {
+    const ChainTree::Block& boxes;
+    const CapsuleBlock& capsules;
+  };
+
+  // What a place says of a block.
+  struct Look {
+    unsigned lanes;                   // those that can matter, as bits
+    double lowest[ChainTree::width];  // their offsets
+    double highest[ChainTree::width];
+    double offset[ChainTree::width + 1];  // those of the ends of their chains
+  };
+
+  // Goes down from the roots. A place says where to look:
+  //   offsets(box): those of a box;
+  //   look(block, other): at the block, the node of the other tree added to its nodes;
+  //   order(look, block, other, visit): calls visit(lane) for the lanes, the most promising
+  //     first.
+  // Calls visit(i, j) for pairs of edges that hold all superset edges in that place.
+  template <class Place, class Visit>
+  void search(Place& place, Visit visit) const {
+    Search<Place, Visit>{*this, place, visit}.descend(root(a_, place), root(b_, place));
+  }
+
+  // Calls visit(edge) for the superset edges of edges i and j.
+  template <class Visit>
+  void for_each_edge(Index i, Index j, Visit visit) const {
+    if (operands_.b_contributes(j, operands_.directions.rank_a[i])) {
+      visit(PairEdge{PairEdge::translated, i, j});
     }
+    if (operands_.a_contributes(i, operands_.directions.rank_b[j])) {
+      visit(PairEdge{PairEdge::corner, i, j});
+    }
+  }
+
+ private:
+  // The sectors of the nodes of a block.
+  struct SectorBlock {
+    Sectors edges[ChainTree::width];
+    Sectors cones[ChainTree::width];
+  };
+
+  // A polygon's tree with the sectors of its nodes.
+  struct Tree {
+    const ChainTree& boxes;
+    const std::vector<CapsuleBlock>& capsules;
+    std::vector<SectorBlock> sectors;
+  };
+
+  template <class Place, class Visit>
+  struct Search {
+    const ImplicitSuperset& superset;
+    Place& place;
+    Visit& visit;
 
     static double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
-    void descend(Index ka, Index kb) {
-      if (!matters(ka, kb)) {
-        return;
-      }
-      const ChainTree::Node& na = operands.a.tree.nodes[ka];
-      const ChainTree::Node& nb = operands.b.tree.nodes[kb];
-      if (na.right == 0 && nb.right == 0) {
-        visit_pair(na.first, nb.first);
-      } else if (nb.right == 0 || (na.right != 0 && extent(na.box) >= extent(nb.box))) {
-        const bool right_first = nearness(operands.a.tree.nodes[na.right].box, nb.box) <
-                                 nearness(operands.a.tree.nodes[ka + 1].box, nb.box);
-        descend(right_first ? na.right : ka + 1, kb);
-        descend(right_first ? ka + 1 : na.right, kb);
+    void descend(const Node& a, const Node& b) {
+      const bool a_is_edge = superset.a_.boxes.is_edge(a.place);
+      const bool b_is_edge = superset.b_.boxes.is_edge(b.place);
+      if (a_is_edge && b_is_edge) {
+        visit(a.place.index, b.place.index);
+      } else if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
+        expand(superset.a_, a, b, [&](const Node& child) { descend(child, b); });
       } else {
-        const bool right_first = nearness(na.box, operands.b.tree.nodes[nb.right].box) <
-                                 nearness(na.box, operands.b.tree.nodes[kb + 1].box);
-        descend(ka, right_first ? nb.right : kb + 1);
-        descend(ka, right_first ? kb + 1 : nb.right);
+        expand(superset.b_, b, a, [&](const Node& child) { descend(a, child); });
       }
     }
 
-    [[nodiscard]] bool in_range(Rank rank) const {
-      const Directions& directions = operands.directions;
-      return directions.angle(range.first, rank) <= directions.angle(range.first, range.last);
-    }
-
-    void visit_pair(Index i, Index j) {
-      const Directions& directions = operands.directions;
-      if (in_range(directions.rank_a[i]) && operands.b_contributes(j, directions.rank_a[i])) {
-        visit(PairEdge{PairEdge::translated, i, j});
+    template <class Descend>
+    void expand(const Tree& tree, const Node& node, const Node& other, Descend descend_to) {
+      const std::uint32_t number = tree.boxes.block_below(node.place);
+      const Block block{tree.boxes.blocks[number], tree.capsules[number]};
+      const SectorBlock& sectors = tree.sectors[number];
+      Look look;
+      place.look(block, other, look);
+      for (unsigned k = 0; k < ChainTree::width; ++k) {
+        const bool common = ((sectors.edges[k] & other.sectors.cones) |
+                             (sectors.cones[k] & other.sectors.edges)) != 0;
+        look.lanes &= ~(static_cast<unsigned>(!common) << k);
       }
-      if (in_range(directions.rank_b[j]) && operands.a_contributes(i, directions.rank_b[j])) {
-        visit(PairEdge{PairEdge::corner, i, j});
-      }
+      place.order(look, block, other, [&](std::uint32_t k) {
+        descend_to(Node{ChainTree::child(node.place, k),
+                        {sectors.edges[k], sectors.cones[k]},
+                        block.boxes.box(k),
+                        {look.lowest[k], look.highest[k]}});
+      });
     }
   };
 
-  [[nodiscard]] Sectors sectors(const RankRange& range) const;
-  [[nodiscard]] std::vector<NodeSectors> node_sectors(const Polygon& polygon,
+  // The sectors of the ranks counter-clockwise from first to last; never a full turn.
+  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
+  template <class Place>
+  [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
+    const Box& box = tree.boxes.box;
+    return {{0, 0}, {~Sectors{0}, ~Sectors{0}}, box, place.offsets(box)};
+  }
+  [[nodiscard]] std::vector<SectorBlock> node_sectors(const Polygon& polygon,
                                                       const std::vector<Rank>& ranks) const;
 
   const Operands& operands_;
-  std::vector<NodeSectors> sectors_a_;
-  std::vector<NodeSectors> sectors_b_;
+  Tree a_;
+  Tree b_;
 };
 
 }  // namespace gcv

@@ -9,9 +9,14 @@ namespace gcv {
 
 namespace {
 
-constexpr std::size_t few = 24;
-constexpr std::size_t many = 96;
-constexpr std::size_t too_many = 256;
+constexpr std::size_t few = 16;
+constexpr std::size_t many = 48;
+constexpr std::size_t too_many = 192;
+
+// How far the band goes to the left of the walk, beside how far it goes along.
+constexpr double depth = 0.25;
+
+constexpr Box nowhere{0, 0, 0, 0};
 
 // The mean size of the edges of both polygons.
 double mean_edge_size(const Operands& operands) {
@@ -26,9 +31,45 @@ double mean_edge_size(const Operands& operands) {
   return sum / (static_cast<double>(operands.a.size()) + operands.b.size());
 }
 
-constexpr Box nowhere{0, 0, 0, 0};
-
 }  // namespace
+
+// A window without what lies left of a line, as a place to search. The bounds of the errors
+// are those of Piece in outer_face.cpp.
+class LocalSuperset::Band {
+ public:
+  Band(const Box& box, double dx, double dy, double leftmost)
+      : box_(box), dx_(dx), dy_(dy), length_(length_bound(dx, dy)), leftmost_(leftmost) {}
+
+  [[nodiscard]] ImplicitSuperset::Offsets offsets(const Box& box) const {
+    return {dx_ * (dx_ > 0 ? box.y0 : box.y1) - dy_ * (dy_ > 0 ? box.x1 : box.x0), 0};
+  }
+
+  void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
+            ImplicitSuperset::Look& look) const {
+    const CapsuleBlock& capsules = block.capsules;
+    const Lanes from = dx_ * Lanes::load(capsules.y) - dy_ * Lanes::load(capsules.x);
+    const Lanes to = dx_ * Lanes::load(capsules.y + 1) - dy_ * Lanes::load(capsules.x + 1);
+    const Lanes lowest = smaller(from, to) - length_ * Lanes::load(capsules.radius);
+    lowest.store(look.lowest);
+    lowest.store(look.highest);
+    look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                           box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
+                 ~(lowest > leftmost_ - other.offsets.lowest).bits();
+  }
+
+  template <class Visit>
+  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block&,
+             const ImplicitSuperset::Node&, Visit visit) const {
+    for_each_lane(look.lanes, visit);
+  }
+
+ private:
+  Box box_;
+  double dx_;
+  double dy_;
+  double length_;
+  double leftmost_;
+};
 
 LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
     : superset_(superset),
@@ -40,59 +81,66 @@ double LocalSuperset::tolerance_of(double dx, double dy) const {
   return (std::abs(dx) + std::abs(dy)) * slack_ + std::numeric_limits<double>::min();
 }
 
-bool LocalSuperset::gather(const Point& centre) {
+void LocalSuperset::clear() {
   edges_.clear();
-  ranks_.clear();
   x0_.clear();
   y0_.clear();
   x1_.clear();
   y1_.clear();
-  const double reach = reach_;
-  window_ = {centre.x - reach, centre.y - reach, centre.x + reach, centre.y + reach};
-  const Box wide{window_.x0 - slack_, window_.y0 - slack_, window_.x1 + slack_,
-                 window_.y1 + slack_};
+  window_ = nowhere;
+}
+
+void LocalSuperset::add(const PairEdge& edge, const Box& wide) {
   const Operands& operands = superset_.operands();
   const auto relative = [&](Index i, Index j) {
     const Point& p = operands.a.relative[i];
     const Point& q = operands.b.relative[j];
     return Point{p.x + q.x, p.y + q.y};
   };
-  const auto outside = [&](double x0, double x1, double y0, double y1) {
-    return x1 < wide.x0 || x0 > wide.x1 || y1 < wide.y0 || y0 > wide.y1;
-  };
-  superset_.search(
-      {0, 2 * operands.directions.half_turn - 1},
-      [&](const Box& a, const Box& b) {
-        return edges_.size() <= too_many &&
-               !outside(a.x0 + b.x0, a.x1 + b.x1, a.y0 + b.y0, a.y1 + b.y1);
-      },
-      [](const Box&, const Box&) { return 0.0; },
-      [&](const PairEdge& e) {
-        const bool translated = e.kind == PairEdge::translated;
-        const Point p = relative(e.i, e.j);
-        const Point q =
-            translated ? relative(operands.a.next(e.i), e.j) : relative(e.i, operands.b.next(e.j));
-        if (!outside(std::min(p.x, q.x), std::max(p.x, q.x), std::min(p.y, q.y),
-                     std::max(p.y, q.y))) {
-          edges_.push_back(e);
-          ranks_.push_back(operands.rank(e));
-          x0_.push_back(p.x);
-          y0_.push_back(p.y);
-          x1_.push_back(q.x);
-          y1_.push_back(q.y);
-        }
-      });
+  const Point p = relative(edge.i, edge.j);
+  const Point q = edge.kind == PairEdge::translated ? relative(operands.a.next(edge.i), edge.j)
+                                                    : relative(edge.i, operands.b.next(edge.j));
+  const bool apart = std::max(p.x, q.x) < wide.x0 || std::min(p.x, q.x) > wide.x1 ||
+                     std::max(p.y, q.y) < wide.y0 || std::min(p.y, q.y) > wide.y1;
+  if (!apart) {
+    edges_.push_back(edge);
+    x0_.push_back(p.x);
+    y0_.push_back(p.y);
+    x1_.push_back(q.x);
+    y1_.push_back(q.y);
+  }
+}
+
+bool LocalSuperset::gather(const Point& from, const Point& to) {
+  clear();
+  dx_ = to.x - from.x;
+  dy_ = to.y - from.y;
+  const double size = std::max(std::abs(dx_), std::abs(dy_));
+  const double ahead = size > 0 ? 0.5 * reach_ / size : 0;
+  const Point centre{from.x + ahead * dx_, from.y + ahead * dy_};
+  const Box window{centre.x - reach_, centre.y - reach_, centre.x + reach_, centre.y + reach_};
+  leftmost_ = dx_ * from.y - dy_ * from.x + depth * reach_ * length_bound(dx_, dy_) +
+              std::numeric_limits<double>::min();
+  const Box wide{window.x0 - slack_, window.y0 - slack_, window.x1 + slack_, window.y1 + slack_};
+  Band band(wide, dx_, dy_, leftmost_ + tolerance_of(dx_, dy_));
+  superset_.search(band, [&](Index i, Index j) {
+    if (edges_.size() <= too_many) {
+      superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
+    }
+  });
   if (edges_.size() > too_many) {
-    edges_.clear();
-    window_ = nowhere;
+    clear();
     reach_ *= 0.25;
     return false;
   }
+  window_ = window;
   if (edges_.size() > many) {
-    reach_ *= 0.5;
+    reach_ *= 0.7;
   } else if (edges_.size() < few) {
-    reach_ *= 1.5;
+    reach_ *= 1.4;
   }
+  beyond_line_.resize(edges_.size());
+  beyond_end_.resize(edges_.size());
   return true;
 }
 

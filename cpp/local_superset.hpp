@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The superset edges near a place. The walk stays near its last step most of the time, so
-// one search for all edges that come near serves many steps.
+// The superset edges near a place. The walk goes by small steps most of the time, and each
+// begins where the last one ended, so one search for all edges that come near serves many
+// steps. Edges deep inside the sum are left out: only a band along the walk is searched.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -17,39 +19,34 @@ class LocalSuperset {
   // `slack`: at least twice what any relative coordinate of the sum is off by.
   LocalSuperset(const ImplicitSuperset& superset, double slack);
 
-  // Is every superset edge that passes through the point among the edges?
-  [[nodiscard]] bool covers(const Point& p) const {
-    return p.x > window_.x0 && p.x < window_.x1 && p.y > window_.y0 && p.y < window_.y1;
+  // Is every superset edge that passes through the segment among the edges?
+  [[nodiscard]] bool covers(const Point& from, const Point& to) const {
+    return covers(from) && covers(to);
   }
 
-  // Collects the edges around `centre`. False where they are too many within reach(): then
-  // the collection is empty, and the next one looks less far around.
-  bool gather(const Point& centre);
+  // Collects the edges around a segment from `from` to `to`, which is shorter than reach().
+  // False where they are too many: then the collection is empty, and the next one looks less
+  // far around.
+  bool gather(const Point& from, const Point& to);
 
-  // Calls visit(edge) for those of the edges in the range that may begin on the line
-  // through `origin` with direction (dx, dy), or left of it, and end right of it.
+  // Calls visit(edge) for those of the edges that may begin on the line through `origin` with
+  // direction (dx, dy), or left of it, and end right of it, and for those that may pass
+  // through `end`.
   template <class Visit>
-  void for_each_to_the_right(const RankRange& range, const Point& origin, double dx, double dy,
-                             Visit visit) const {
+  void for_each_near(const Point& origin, double dx, double dy, const Point& end, Visit visit) {
     const double tolerance = tolerance_of(dx, dy);
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const double start = dx * (y0_[k] - origin.y) - dy * (x0_[k] - origin.x);
-      const double end = dx * (y1_[k] - origin.y) - dy * (x1_[k] - origin.x);
-      if (!(end > tolerance) && !(start < -tolerance) && in_range(range, ranks_[k])) {
-        visit(edges_[k]);
-      }
+    const double offset = dx * origin.y - dy * origin.x;
+    const std::size_t count = edges_.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const double start = dx * y0_[k] - dy * x0_[k];
+      const double stop = dx * y1_[k] - dy * x1_[k];
+      beyond_line_[k] = std::max(stop - offset, offset - start);
+      const double x = std::max(std::min(x0_[k], x1_[k]) - end.x, end.x - std::max(x0_[k], x1_[k]));
+      const double y = std::max(std::min(y0_[k], y1_[k]) - end.y, end.y - std::max(y0_[k], y1_[k]));
+      beyond_end_[k] = std::max(x, y);
     }
-  }
-
-  // Calls visit(edge) for those of the edges in the range that may pass through p.
-  template <class Visit>
-  void for_each_through(const RankRange& range, const Point& p, Visit visit) const {
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const double dx = x1_[k] - x0_[k];
-      const double dy = y1_[k] - y0_[k];
-      const double offset = dx * (p.y - y0_[k]) - dy * (p.x - x0_[k]);
-      const double tolerance = tolerance_of(dx, dy);
-      if (!(offset > tolerance) && !(offset < -tolerance) && in_range(range, ranks_[k])) {
+    for (std::size_t k = 0; k < count; ++k) {
+      if (!(beyond_line_[k] > tolerance) || !(beyond_end_[k] > slack_)) {
         visit(edges_[k]);
       }
     }
@@ -58,19 +55,26 @@ class LocalSuperset {
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
-  [[nodiscard]] double tolerance_of(double dx, double dy) const;
-  [[nodiscard]] bool in_range(const RankRange& range, Rank rank) const {
-    const Directions& directions = superset_.operands().directions;
-    return directions.angle(range.first, rank) <= directions.angle(range.first, range.last);
+  class Band;
+
+  [[nodiscard]] bool covers(const Point& p) const {
+    return p.x > window_.x0 && p.x < window_.x1 && p.y > window_.y0 && p.y < window_.y1 &&
+           dx_ * p.y - dy_ * p.x < leftmost_;
   }
+  [[nodiscard]] double tolerance_of(double dx, double dy) const;
+  void add(const PairEdge& edge, const Box& wide);
+  void clear();
 
   const ImplicitSuperset& superset_;
   double slack_;
   double reach_;
   Box window_;
+  double dx_ = 0;  // the band lies right of the line of the offset `leftmost_`
+  double dy_ = 0;
+  double leftmost_ = 0;
   std::vector<PairEdge> edges_;
-  std::vector<Rank> ranks_;
   std::vector<double> x0_, y0_, x1_, y1_;
+  std::vector<double> beyond_line_, beyond_end_;
 };
 
 }  // namespace gcv

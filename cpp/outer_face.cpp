@@ -61,51 +61,106 @@ struct Event {
   Place place;
 };
 
+// How a walk along an edge goes on: at the first event, else at its end.
+struct Step {
+  std::optional<Event> event;
+  std::optional<Line> onwards;
+};
+
 double clamp_to_unit(double parameter) { return std::min(std::max(parameter, 0.0), 1.0); }
 
-// The part of an edge s that is searched, from `from` to `to`, in relative coordinates.
-// With u times the extents of both polygons, uE, as the unit: a box side is off by 2, an
-// end of the segment by 5; in the test of the separating line, twice the offset of a
-// box's centre is off by 12 and twice its half width by 5, and rounding the direction, the
-// products and the sums adds 20 in all, times |dx| + |dy|. `slack` is 32. The smallest
-// normal double covers underflow. Where anything overflows, no box is dropped.
-class Segment {
+// A piece of an edge s, from `from` to `to` in relative coordinates, as a place to search.
+//
+// With u times the extents of both polygons, uE, as the unit: a box side is off by 2, an end
+// of the piece by 5. Of the offset from the line of s, times |dx| + |dy|: the end of a chain
+// is off by 1, its radius by 8, `origin` by 2, and the products and sums of all add 20.
+// `slack` is 64. The smallest normal double covers underflow. Where anything overflows,
+// nothing is dropped.
+class Piece {
  public:
-  Segment(const SumEdge& s, const Point& origin, const Point& from, const Point& to, double slack)
-      : dx_(s.dx), dy_(s.dy), origin_(origin), from_(from), to_(to), slack_(slack) {}
-
-  void shorten(const Point& to) { to_ = to; }
-
-  [[nodiscard]] bool meets(const Box& a, const Box& b) const {
-    const double x0 = a.x0 + b.x0;
-    const double x1 = a.x1 + b.x1;
-    const double y0 = a.y0 + b.y0;
-    const double y1 = a.y1 + b.y1;
-    if (x1 < std::min(from_.x, to_.x) - slack_ || x0 > std::max(from_.x, to_.x) + slack_ ||
-        y1 < std::min(from_.y, to_.y) - slack_ || y0 > std::max(from_.y, to_.y) + slack_) {
-      return false;
-    }
-    const double dx = std::abs(dx_);
-    const double dy = std::abs(dy_);
-    const double distance =
-        std::abs(dx_ * (y0 + y1 - 2 * origin_.y) - dy_ * (x0 + x1 - 2 * origin_.x));
-    const double radius = dx * (y1 - y0) + dy * (x1 - x0);
-    return !(distance > radius + 2 * (dx + dy) * slack_ + std::numeric_limits<double>::min());
+  Piece(const SumEdge& s, const Point& origin, const Point& from, const Point& to, double slack)
+      : dx_(s.dx),
+        dy_(s.dy),
+        length_(length_bound(s.dx, s.dy)),
+        offset_(s.dx * origin.y - s.dy * origin.x),
+        tolerance_((std::abs(s.dx) + std::abs(s.dy)) * slack + std::numeric_limits<double>::min()),
+        slack_(slack),
+        from_(from) {
+    shorten(to);
   }
 
-  // How early along s the sum of two boxes begins, up to a constant.
-  [[nodiscard]] double nearness(const Box& a, const Box& b) const {
-    return dx_ * (dx_ > 0 ? a.x0 + b.x0 : a.x1 + b.x1) +
-           dy_ * (dy_ > 0 ? a.y0 + b.y0 : a.y1 + b.y1);
+  void shorten(const Point& to) {
+    const Box box = box_of(from_, to);
+    box_ = {box.x0 - slack_, box.y0 - slack_, box.x1 + slack_, box.y1 + slack_};
+  }
+
+  [[nodiscard]] ImplicitSuperset::Offsets offsets(const Box& box) const {
+    return {dx_ * (dx_ > 0 ? box.y0 : box.y1) - dy_ * (dy_ > 0 ? box.x1 : box.x0),
+            dx_ * (dx_ > 0 ? box.y1 : box.y0) - dy_ * (dy_ > 0 ? box.x0 : box.x1)};
+  }
+
+  // The lanes that reach the box of the piece, and the line of s or both of its sides.
+  void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
+            ImplicitSuperset::Look& look) const {
+    const CapsuleBlock& capsules = block.capsules;
+    for (unsigned k = 0; k <= ChainTree::width; ++k) {
+      look.offset[k] = dx_ * capsules.y[k] - dy_ * capsules.x[k];
+    }
+    const Lanes from = Lanes::load(look.offset);
+    const Lanes to = Lanes::load(look.offset + 1);
+    const Lanes radius = length_ * Lanes::load(capsules.radius);
+    const Lanes lowest = smaller(from, to) - radius;
+    const Lanes highest = larger(from, to) + radius;
+    lowest.store(look.lowest);
+    highest.store(look.highest);
+    const unsigned apart = ((highest < offset_ - tolerance_ - other.offsets.highest) |
+                            (lowest > offset_ + tolerance_ - other.offsets.lowest))
+                               .bits();
+    look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                           box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
+                 ~apart;
+  }
+
+  // Those whose chains, as segments, cross the line of s earlier come first.
+  template <class Visit>
+  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block& block,
+             const ImplicitSuperset::Node& other, Visit visit) const {
+    if ((look.lanes & (look.lanes - 1)) == 0) {
+      for_each_lane(look.lanes, visit);
+      return;
+    }
+    const double middle = offset_ - (other.offsets.lowest + other.offsets.highest) / 2;
+    const CapsuleBlock& capsules = block.capsules;
+    double key[ChainTree::width];
+    std::uint32_t lane[ChainTree::width];
+    unsigned count = 0;
+    for_each_lane(look.lanes, [&](std::uint32_t k) {
+      const double fraction = (middle - look.offset[k]) / (look.offset[k + 1] - look.offset[k]);
+      const double t = fraction > 0 ? std::min(fraction, 1.0) : 0.0;
+      const double along = dx_ * (capsules.x[k] + t * (capsules.x[k + 1] - capsules.x[k])) +
+                           dy_ * (capsules.y[k] + t * (capsules.y[k + 1] - capsules.y[k]));
+      unsigned place = count++;
+      for (; place > 0 && along < key[place - 1]; --place) {
+        key[place] = key[place - 1];
+        lane[place] = lane[place - 1];
+      }
+      key[place] = along;
+      lane[place] = k;
+    });
+    for (unsigned k = 0; k < count; ++k) {
+      visit(lane[k]);
+    }
   }
 
  private:
   double dx_;
   double dy_;
-  Point origin_;
-  Point from_;
-  Point to_;
+  double length_;
+  double offset_;  // of the line of s, from the relative origin
+  double tolerance_;
   double slack_;
+  Point from_;
+  Box box_{};
 };
 
 // A walk from one vertex of the hull to the next, and the edge that it arrived by.
@@ -130,7 +185,7 @@ double slack_of(const Operands& operands) {
   const Box& a = operands.a.bounds;
   const Box& b = operands.b.bounds;
   const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
-  return 32 * unit_roundoff * extents + std::numeric_limits<double>::min();
+  return 64 * unit_roundoff * extents + std::numeric_limits<double>::min();
 }
 
 // A walk from one vertex of the convex hull of the sum to another. Such a vertex is on the
@@ -143,7 +198,7 @@ class Walker {
         directions_(operands_.directions),
         superset_(superset),
         slack_(slack),
-        local_(superset_, slack_),
+        local_(superset, slack),
         task_(task) {}
 
   // The first vertex has no arriving edge yet: it is that of the walk that ends there.
@@ -153,16 +208,22 @@ class Walker {
     append(place, line, line);
     while (true) {
       count_step();
+      const Step step = next_step(line, place);
       Line next;
-      if (const std::optional<Event> event = first_event(line, place)) {
-        place = event->place;
-        next = event->line;
+      if (step.event) {
+        place = step.event->place;
+        next = step.event->line;
       } else {
         place = end_of(line.edge);
         if (place.i == last.i && place.j == last.j) {
           break;
         }
-        next = edge_onwards(line, place);
+        if (!step.onwards) {
+          throw Error(Status::internal,
+                      "no superset edge leads on from vertex %u of a + vertex %u of b",
+                      operands_.a.vertex_number[place.i], operands_.b.vertex_number[place.j]);
+        }
+        next = *step.onwards;
       }
       if (!place.is_sum) {  // from now on, seen from the next edge
         place.crossing = line.edge;
@@ -256,8 +317,6 @@ class Walker {
     return angle < directions_.half_turn ? translated : corner;
   }
 
-  [[nodiscard]] Rank wrapped(Rank rank) const { return rank % (2 * directions_.half_turn); }
-
   // The sum of the vertices i and j in relative coordinates.
   [[nodiscard]] Point relative(Index i, Index j) const {
     const Point& p = operands_.a.relative[i];
@@ -277,50 +336,120 @@ class Walker {
                         : relative_on(s, clamp_to_unit(place.parameter.lo));
   }
 
-  // The first point on s, beyond `place`, in which an edge leaves to the right (fact 3),
-  // and the most clockwise of those that do.
-  std::optional<Event> first_event(const Line& s, const Place& place) {
-    const Rank rank = operands_.rank(s.edge);
-    const Rank half_turn = directions_.half_turn;
-    const RankRange right{wrapped(rank + half_turn + 1), wrapped(rank + 2 * half_turn - 1)};
-    const Point origin = relative(s.edge.i, s.edge.j);
+  // How the boundary leaves s, beyond `place`.
+  Step next_step(const Line& s, const Place& place) {
     const Point from = relative_position(s, place);
-    const Point to = relative_on(s, 1);
-    std::optional<Event> best;
-    const auto consider = [&](const PairEdge& e) {
-      ++walk_.candidates;
-      const Line t = line_of(e);
-      const Place end = end_of(e);
-      if (side_of_sum(s, end.i, end.j) >= 0) {
-        return false;
-      }
-      const int start_side = side_of_sum(s, e.i, e.j);
-      if (start_side < 0) {
-        return false;
-      }
-      Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
-      if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
-        return false;
-      }
-      best = event;
-      return true;
-    };
-    const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
-    if ((local_.covers(from) && local_.covers(to)) ||
-        (length < local_.reach() && local_.gather(from))) {
-      local_.for_each_to_the_right(right, origin, s.at.dx, s.at.dy, consider);
-      return best;
+    const Point end = relative_on(s, 1);
+    const double length = std::max(std::abs(end.x - from.x), std::abs(end.y - from.y));
+    if (local_.covers(from, end) || (length < local_.reach() && local_.gather(from, end))) {
+      Step step;
+      const Point origin = relative(s.edge.i, s.edge.j);
+      local_.for_each_near(origin, s.at.dx, s.at.dy, end,
+                           [&](const PairEdge& e) { consider(s, place, end, e, step); });
+      return step;
     }
-    Segment segment(s.at, origin, from, to, slack_);
-    superset_.search(
-        right, [&](const Box& a, const Box& b) { return segment.meets(a, b); },
-        [&](const Box& a, const Box& b) { return segment.nearness(a, b); },
-        [&](const PairEdge& e) {
-          if (consider(e)) {
-            segment.shorten(relative_on(s, clamp_to_unit(best->place.parameter.hi)));
+    return search_step(s, place, from, end);
+  }
+
+  // The same without the help of what is near the last steps. The first piece of s that is
+  // searched is about as long as the last of these steps were, each other one twice as long
+  // as the one before.
+  Step search_step(const Line& s, const Place& place, Point from, const Point& end) {
+    const Point origin = relative(s.edge.i, s.edge.j);
+    const double start = parameter_on(s, origin, from);
+    const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
+    double parameter = start;
+    double stride = std::max(0x1p-20, stride_ / size);  // also where those have overflowed
+    Step step;
+    while (true) {
+      const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
+      const bool is_last = !(parameter + stride < limit);
+      parameter = is_last ? limit : parameter + stride;
+      const Point to = parameter < 1 ? relative_on(s, parameter) : end;
+      Piece piece(s.at, origin, from, to, slack_);
+      superset_.search(piece, [&](Index i, Index j) {
+        superset_.for_each_edge(i, j, [&](const PairEdge& e) {
+          if (consider(s, place, end, e, step) && step.event->place.parameter.hi < parameter) {
+            piece.shorten(relative_on(s, clamp_to_unit(step.event->place.parameter.hi)));
           }
         });
-    return best;
+      });
+      if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
+        break;
+      }
+      from = to;
+      stride *= 2;
+    }
+    const double way = (step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1) - start;
+    stride_ = std::max(2 * way * size, stride_ / 2);
+    return step;
+  }
+
+  // Does the boundary leave s along e, of all edges so far? True where e is the first event.
+  bool consider(const Line& s, const Place& place, const Point& end, const PairEdge& e,
+                Step& step) {
+    const Rank angle = directions_.angle(operands_.rank(s.edge), operands_.rank(e));
+    if (angle > directions_.half_turn) {
+      return consider_event(s, place, e, step.event);
+    }
+    if (angle < directions_.half_turn && !step.event && comes_near(e, end)) {
+      consider_onwards(s, e, step.onwards);
+    }
+    return false;
+  }
+
+  // The parameter on s of a point of s, about.
+  [[nodiscard]] static double parameter_on(const Line& s, const Point& origin, const Point& p) {
+    const bool by_x = std::abs(s.at.dx) >= std::abs(s.at.dy);
+    return clamp_to_unit(by_x ? (p.x - origin.x) / s.at.dx : (p.y - origin.y) / s.at.dy);
+  }
+
+  // The first point on s, beyond `place`, in which an edge leaves to the right (fact 3),
+  // and the most clockwise of those that do: is it e?
+  bool consider_event(const Line& s, const Place& place, const PairEdge& e,
+                      std::optional<Event>& best) {
+    ++walk_.candidates;
+    const Place end = end_of(e);
+    if (side_of_sum(s, end.i, end.j) >= 0) {
+      return false;
+    }
+    const int start_side = side_of_sum(s, e.i, e.j);
+    if (start_side < 0) {
+      return false;
+    }
+    const Line t = line_of(e);
+    Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
+    if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
+      return false;
+    }
+    best = event;
+    return true;
+  }
+
+  // The most clockwise of the edges that pass through the end of s, or start there, and
+  // go straight on or left (fact 4); of those in one direction, the one that reaches
+  // furthest: is it e?
+  void consider_onwards(const Line& s, const PairEdge& e, std::optional<Line>& best) {
+    ++walk_.candidates;
+    const Rank rank = operands_.rank(s.edge);
+    const auto angle = [&](const Line& t) {
+      return directions_.angle(rank, operands_.rank(t.edge));
+    };
+    const Line t = line_of(e);
+    if (best && angle(t) > angle(*best)) {
+      return;
+    }
+    if (leaves(t, end_of(s.edge)) && (!best || angle(t) < angle(*best) || preferred(t, *best))) {
+      best = t;
+    }
+  }
+
+  // Can the edge pass through p?
+  [[nodiscard]] bool comes_near(const PairEdge& e, const Point& p) const {
+    const Place end = end_of(e);
+    const Box box = box_of(relative(e.i, e.j), relative(end.i, end.j));
+    return !(p.x < box.x0 - slack_ || p.x > box.x1 + slack_ || p.y < box.y0 - slack_ ||
+             p.y > box.y1 + slack_);
   }
 
   // Is the event strictly beyond the place on s? An event edge t goes from left to right,
@@ -390,53 +519,13 @@ class Walker {
                               best.line);
   }
 
-  // The most clockwise of the edges that pass through the end of s, or start there, and
-  // go straight on or left (fact 4); of those in one direction, the one that reaches
-  // furthest.
-  Line edge_onwards(const Line& s, const Place& end) {
-    const Rank rank = operands_.rank(s.edge);
-    const SumPoint q = point(end.i, end.j);
-    std::optional<Line> best;
-    const auto angle = [&](const Line& t) {
-      return directions_.angle(rank, operands_.rank(t.edge));
-    };
-    const auto consider = [&](const PairEdge& e) {
-      ++walk_.candidates;
-      const Line t = line_of(e);
-      if (best && angle(t) > angle(*best)) {
-        return;
-      }
-      if (!leaves(t, end, q)) {
-        return;
-      }
-      if (!best || angle(t) < angle(*best) || preferred(t, *best)) {
-        best = t;
-      }
-    };
-    const Point here = relative(end.i, end.j);
-    const RankRange onwards{rank, wrapped(rank + directions_.half_turn - 1)};
-    if (local_.covers(here) || local_.gather(here)) {
-      local_.for_each_through(onwards, here, consider);
-    } else {
-      const Segment segment({}, here, here, here, slack_);
-      superset_.search(
-          onwards, [&](const Box& a, const Box& b) { return segment.meets(a, b); },
-          [](const Box&, const Box&) { return 0.0; }, consider);
-    }
-    if (!best) {
-      throw Error(Status::internal,
-                  "no superset edge leads on from vertex %u of a + vertex %u of b",
-                  operands_.a.vertex_number[end.i], operands_.b.vertex_number[end.j]);
-    }
-    return *best;
-  }
-
-  // Does t pass through the point q = vertex i + vertex j, or start there?
-  bool leaves(const Line& t, const Place& place, const SumPoint& q) {
-    if (t.edge.i == place.i && t.edge.j == place.j) {
+  // Does t pass through the sum of two vertices, or start there?
+  bool leaves(const Line& t, const Place& sum) {
+    if (t.edge.i == sum.i && t.edge.j == sum.j) {
       return true;
     }
-    return side_of_sum(t, place.i, place.j) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
+    const SumPoint q = point(sum.i, sum.j);
+    return side_of_sum(t, sum.i, sum.j) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
            compare_along(t.at, q, end_point(t.edge)) > 0;
   }
 
@@ -445,6 +534,7 @@ class Walker {
   const ImplicitSuperset& superset_;
   double slack_;
   LocalSuperset local_;
+  double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
   Task& task_;
   Tally tally_;
   Walk walk_;

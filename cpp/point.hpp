@@ -4,6 +4,10 @@
 // never added up: a point of the sum is kept as the pair (a, b).
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 namespace gcv {
 
 struct Point {
@@ -37,5 +41,18 @@ struct SumEdge {
   double dx;
   double dy;
 };
+
+// At least sqrt(x^2 + y^2). Five roundings, each below u, are made good. Where the smaller
+// number is lost beside the larger, so is its share of the result.
+inline double length_bound(double x, double y) {
+  const double longer = std::max(std::abs(x), std::abs(y));
+  const double shorter = std::min(std::abs(x), std::abs(y));
+  if (shorter == 0) {
+    return longer;
+  }
+  const double ratio = shorter / longer;
+  const double length = longer * std::sqrt(1 + ratio * ratio);
+  return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
+}
 
 }  // namespace gcv

@@ -191,6 +191,7 @@ void prepare_searches(Polygon& polygon) {
               std::max(bounds.y1, p.y)};
   }
   polygon.tree = build_chain_tree(polygon.relative);
+  polygon.capsules = build_capsules(polygon.tree, polygon.relative);
 }
 
 }  // namespace
@@ -242,9 +243,20 @@ Polygon reflected(const Polygon& polygon) {
   const auto reflect = [](Box& box) {
     box = {0.0 - box.x1, 0.0 - box.y1, 0.0 - box.x0, 0.0 - box.y0};
   };
-  for (ChainTree::Node& node : result.tree.nodes) {
-    reflect(node.box);
+  for (ChainTree::Block& block : result.tree.blocks) {
+    for (unsigned k = 0; k < ChainTree::width; ++k) {
+      Box box = block.box(k);
+      reflect(box);
+      block.put(k, box);
+    }
   }
+  for (CapsuleBlock& block : result.capsules) {
+    for (std::uint32_t end = 0; end <= ChainTree::width; ++end) {
+      block.x[end] = 0.0 - block.x[end];
+      block.y[end] = 0.0 - block.y[end];
+    }
+  }
+  reflect(result.tree.box);
   reflect(result.bounds);
   for (std::uint8_t& upper : result.upper) {
     upper ^= 1;

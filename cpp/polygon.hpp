@@ -41,6 +41,7 @@ struct Polygon {
   // origin as well as near it. Each coordinate is off by at most u times its size.
   std::vector<Point> relative;
   ChainTree tree;  // over `relative`
+  std::vector<CapsuleBlock> capsules;
   Box bounds{};
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;

@@ -82,19 +82,6 @@ std::uint64_t count_missing(const std::vector<Point>& points, std::vector<Point>
 
 }  // namespace
 
-// Five roundings, each below u, are made good. Where the smaller number is lost beside the
-// larger, so is its share of the result.
-double length_bound(double x, double y) {
-  const double longer = std::max(std::abs(x), std::abs(y));
-  const double shorter = std::min(std::abs(x), std::abs(y));
-  if (shorter == 0) {
-    return longer;
-  }
-  const double ratio = shorter / longer;
-  const double length = longer * std::sqrt(1 + ratio * ratio);
-  return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
-}
-
 double unit_in_last_place(double x) {
   const double size = std::abs(x);
   const double next = std::nextafter(size, HUGE_VAL);

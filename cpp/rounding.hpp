@@ -52,9 +52,6 @@ double unit_in_last_place(double x);
 // That of the largest x and of the largest y of the points.
 Point units_in_last_place(const std::vector<Point>& points);
 
-// At least sqrt(x^2 + y^2).
-double length_bound(double x, double y);
-
 // At least x + y, for numbers that are not negative.
 double sum_bound(double x, double y);
 

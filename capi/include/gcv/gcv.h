@@ -269,7 +269,8 @@ typedef struct gcv_options {
   { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL }
 
 /** Sets the default options, with the struct_size of the header of this library: only
- *  for programs that are compiled with it, others start from GCV_OPTIONS_INIT. NULL is allowed and does nothing. @since 0.1 */
+ *  for programs that are compiled with it, others start from GCV_OPTIONS_INIT. NULL is allowed and
+ * does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
 
 /* ------------------------------------------------------------- outer face -- */
@@ -356,8 +357,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_entrance_block(const gcv_polygon *a, const 
 GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum_many(const gcv_polygon *const *a,
                                                         const gcv_polygon *const *b, size_t count,
                                                         const gcv_options *options,
-                                                        gcv_outer_face **out,
-                                                        gcv_status *statuses);
+                                                        gcv_outer_face **out, gcv_status *statuses);
 
 /** Ends an outer face. NULL is allowed. @since 0.1 */
 GCV_API void gcv_outer_face_destroy(gcv_outer_face *face);
