@@ -8,7 +8,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "contributing_vertices.hpp"
@@ -18,6 +20,17 @@ namespace gcv {
 // A set of directions, as up to 64 sectors of consecutive ranks: one rank each where
 // there are no more.
 using Sectors = std::uint64_t;
+
+// How far the computed offset of a point of the sum from a line with direction (dx, dy), in
+// relative coordinates, can be from the exact one: infinite where an offset can overflow.
+// `slack` is 2^-47 times the extents of both polygons.
+inline double offset_tolerance(double dx, double dy, double slack) {
+  const double size = std::abs(dx) + std::abs(dy);
+  const double largest = size * (slack * 0x1p48);
+  return largest <= std::numeric_limits<double>::max()
+             ? size * slack + std::numeric_limits<double>::min()
+             : std::numeric_limits<double>::infinity();
+}
 
 class ImplicitSuperset {
  public:

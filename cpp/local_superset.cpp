@@ -77,10 +77,6 @@ LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
       reach_(4 * mean_edge_size(superset.operands())),
       window_(nowhere) {}
 
-double LocalSuperset::tolerance_of(double dx, double dy) const {
-  return (std::abs(dx) + std::abs(dy)) * slack_ + std::numeric_limits<double>::min();
-}
-
 void LocalSuperset::clear() {
   edges_.clear();
   x0_.clear();
@@ -116,13 +112,16 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
   dx_ = to.x - from.x;
   dy_ = to.y - from.y;
   const double size = std::max(std::abs(dx_), std::abs(dy_));
-  const double ahead = size > 0 ? 0.5 * reach_ / size : 0;
-  const Point centre{from.x + ahead * dx_, from.y + ahead * dy_};
+  if (!(size > 0)) {
+    return false;
+  }
+  const double ahead = 0.5 * reach_;
+  const Point centre{from.x + ahead * (dx_ / size), from.y + ahead * (dy_ / size)};
   const Box window{centre.x - reach_, centre.y - reach_, centre.x + reach_, centre.y + reach_};
   leftmost_ = dx_ * from.y - dy_ * from.x + depth * reach_ * length_bound(dx_, dy_) +
               std::numeric_limits<double>::min();
   const Box wide{window.x0 - slack_, window.y0 - slack_, window.x1 + slack_, window.y1 + slack_};
-  Band band(wide, dx_, dy_, leftmost_ + tolerance_of(dx_, dy_));
+  Band band(wide, dx_, dy_, leftmost_ + offset_tolerance(dx_, dy_, slack_));
   superset_.search(band, [&](Index i, Index j) {
     if (edges_.size() <= too_many) {
       superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
@@ -134,6 +133,10 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
     return false;
   }
   window_ = window;
+  if (!covers(from, to)) {  // numbers have overflowed
+    clear();
+    return false;
+  }
   if (edges_.size() > many) {
     reach_ *= 0.7;
   } else if (edges_.size() < few) {

@@ -34,7 +34,7 @@ class LocalSuperset {
   // through `end`.
   template <class Visit>
   void for_each_near(const Point& origin, double dx, double dy, const Point& end, Visit visit) {
-    const double tolerance = tolerance_of(dx, dy);
+    const double tolerance = offset_tolerance(dx, dy, slack_);
     const double offset = dx * origin.y - dy * origin.x;
     const std::size_t count = edges_.size();
     for (std::size_t k = 0; k < count; ++k) {
@@ -61,7 +61,6 @@ class LocalSuperset {
     return p.x > window_.x0 && p.x < window_.x1 && p.y > window_.y0 && p.y < window_.y1 &&
            dx_ * p.y - dy_ * p.x < leftmost_;
   }
-  [[nodiscard]] double tolerance_of(double dx, double dy) const;
   void add(const PairEdge& edge, const Box& wide);
   void clear();
 

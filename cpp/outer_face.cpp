@@ -83,7 +83,7 @@ class Piece {
         dy_(s.dy),
         length_(length_bound(s.dx, s.dy)),
         offset_(s.dx * origin.y - s.dy * origin.x),
-        tolerance_((std::abs(s.dx) + std::abs(s.dy)) * slack + std::numeric_limits<double>::min()),
+        tolerance_(offset_tolerance(s.dx, s.dy, slack)),
         slack_(slack),
         from_(from) {
     shorten(to);
