@@ -55,6 +55,9 @@ class ImplicitSuperset {
     NodeSectors sectors;
     Box box;
     Offsets offsets;  // of the points below the node
+    Point from;       // the ends of its chain, and how far it is from the segment between them
+    Point to;
+    double radius;
   };
 
   // The children of a node.
@@ -143,7 +146,10 @@ class ImplicitSuperset {
         descend_to(Node{ChainTree::child(node.place, k),
                         {sectors.edges[k], sectors.cones[k]},
                         block.boxes.box(k),
-                        {look.lowest[k], look.highest[k]}});
+                        {look.lowest[k], look.highest[k]},
+                        {block.capsules.x[k], block.capsules.y[k]},
+                        {block.capsules.x[k + 1], block.capsules.y[k + 1]},
+                        block.capsules.radius[k]});
       });
     }
   };
@@ -153,7 +159,14 @@ class ImplicitSuperset {
   template <class Place>
   [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
     const Box& box = tree.boxes.box;
-    return {{0, 0}, {~Sectors{0}, ~Sectors{0}}, box, place.offsets(box)};
+    const Point end{tree.capsules.front().x[0], tree.capsules.front().y[0]};
+    return {{0, 0},
+            {~Sectors{0}, ~Sectors{0}},
+            box,
+            place.offsets(box),
+            end,
+            end,
+            length_bound(box.x1 - box.x0, box.y1 - box.y0)};
   }
   [[nodiscard]] std::vector<SectorBlock> node_sectors(const Polygon& polygon,
                                                       const std::vector<Rank>& ranks) const;
