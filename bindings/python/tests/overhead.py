@@ -8,6 +8,7 @@ subtracted is the time of a sum alone, inside one call for many.
 
 import sys
 import timeit
+from typing import Callable
 
 from shapes import star
 
@@ -17,20 +18,20 @@ MOST_MICROSECONDS = 25
 COUNT = 2000
 
 
-def microseconds(statement: str) -> float:
+def microseconds(action: Callable[[], object], sums: int = 1) -> float:
     """Of one sum, in the fastest of many runs."""
-    seconds = timeit.repeat(statement, globals=globals(), number=1, repeat=50)
+    seconds = timeit.repeat(action, number=COUNT // sums, repeat=50)
     return 1e6 * min(seconds) / COUNT
 
 
 polygons = star(10, 1), star(10, 2)
 arrays = [polygon.vertices for polygon in polygons]
-a, b = ([polygon] * COUNT for polygon in polygons)
+many = [[polygon] * COUNT for polygon in polygons]
 
-in_c = microseconds("gcv.minkowski_sum_many(a, b)")
-of_polygons = microseconds("for _ in range(COUNT): gcv.minkowski_sum(*polygons)")
-of_arrays = microseconds("for _ in range(COUNT): gcv.minkowski_sum(*arrays)")
-with_vertices = microseconds("for _ in range(COUNT): gcv.minkowski_sum(*arrays).vertices")
+in_c = microseconds(lambda: gcv.minkowski_sum_many(*many), COUNT)
+of_polygons = microseconds(lambda: gcv.minkowski_sum(*polygons))
+of_arrays = microseconds(lambda: gcv.minkowski_sum(*arrays))
+with_vertices = microseconds(lambda: gcv.minkowski_sum(*arrays).vertices)
 
 print(f"one of many sums in C   {in_c:6.1f} microseconds")
 print(f"sum of two polygons     {of_polygons:6.1f} {of_polygons - in_c:+6.1f}")
