@@ -44,7 +44,7 @@ def plus(p: Point, q: Point) -> Point:
 
 
 def within(p: Point, start: Point, end: Point) -> bool:
-    """Is p, a point of the line through start and end, between them?"""
+    """Whether p, a point of the line through start and end, is between them."""
     return min(start, end) <= p <= max(start, end)
 
 
@@ -77,7 +77,7 @@ def direction(p: Point, q: Point) -> Point:
 
 
 def is_before(u: Point, v: Point, start: Point) -> bool:
-    """Turning counter-clockwise from the direction `start`, does u come before v?"""
+    """Whether, turning counter-clockwise from the direction `start`, u comes before v."""
 
     def half(w: Point) -> int:
         turn = start[0] * w[1] - start[1] * w[0]

@@ -7,6 +7,7 @@ from __future__ import annotations
 import pickle
 from fractions import Fraction
 from functools import cmp_to_key
+from typing import Union
 
 import numpy as np
 from hypothesis import given, settings
@@ -50,7 +51,7 @@ def polygons(draw: st.DrawFn) -> gcv.Polygon:
 
 
 def contains(ring: list[ExactPoint], p: ExactPoint) -> bool:
-    """Is p in or on the ring?"""
+    """Whether p is in the ring or on it."""
     inside = False
     for (ax, ay), (bx, by) in zip(ring, ring[1:] + ring[:1]):
         cross = (bx - ax) * (p[1] - ay) - (by - ay) * (p[0] - ax)
@@ -62,7 +63,7 @@ def contains(ring: list[ExactPoint], p: ExactPoint) -> bool:
     return inside
 
 
-def exact_points(ring: gcv.Polygon | gcv.OuterFace) -> list[ExactPoint]:
+def exact_points(ring: Union[gcv.Polygon, gcv.OuterFace]) -> list[ExactPoint]:
     return [(Fraction(x), Fraction(y)) for x, y in ring.vertices.tolist()]
 
 
@@ -105,11 +106,10 @@ def test_sources_tell_where_edges_lie(a: gcv.Polygon, b: gcv.Polygon) -> None:
     p, q = exact_points(a), exact_points(b)
     ring = face.exact
     for start, end, source in zip(ring, ring[1:] + ring[:1], face.sources):
-        first, along = (q, p) if source.kind == gcv.EDGE_CORNER else (p, q)
-        edge = source.b if source.kind == gcv.EDGE_CORNER else source.a
-        along, other = (q, p) if source.kind == gcv.EDGE_CORNER else (p, q)
-        vertex = source.a if source.kind == gcv.EDGE_CORNER else source.b
-        del first
+        if source.kind == gcv.EDGE_CORNER:
+            along, edge, other, vertex = q, source.b, p, source.a
+        else:
+            along, edge, other, vertex = p, source.a, q, source.b
         (ux, uy), (vx, vy) = along[edge], along[(edge + 1) % len(along)]
         for x, y in (start, end):
             offset = x - other[vertex][0] - ux, y - other[vertex][1] - uy
@@ -134,9 +134,7 @@ def test_nearest_is_within_the_bound(a: gcv.Polygon, b: gcv.Polygon) -> None:
 
 
 @given(st.lists(st.tuples(polygons(), polygons()), max_size=6), st.integers(0, 3))
-def test_many_are_what_each_is(
-    pairs: list[tuple[gcv.Polygon, gcv.Polygon]], threads: int
-) -> None:
+def test_many_are_what_each_is(pairs: list[tuple[gcv.Polygon, gcv.Polygon]], threads: int) -> None:
     faces = gcv.minkowski_sum_many([a for a, _ in pairs], [b for _, b in pairs], threads=threads)
     assert faces == [a + b for a, b in pairs]
 
