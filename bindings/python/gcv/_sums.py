@@ -48,9 +48,9 @@ def minkowski_sum(
     times a second and once in the end, with the steps done and a guess of all steps,
     which is never below. An exception that it raises cancels the computation.
 
-    Exact, but for the rounding: see OuterFace. KeyboardInterrupt, and any exception
-    that a handler of a signal raises, cancels a long computation. Other threads run
-    meanwhile.
+    Exact, but for the rounding: see OuterFace. In the main thread, KeyboardInterrupt and
+    any exception that a handler of a signal raises cancels a long computation. Other
+    threads run meanwhile.
 
     Raises as Polygon does, InputError for an option, and Error where a coordinate of
     the result is not a finite float, or where the result is so small that in floats

@@ -58,7 +58,8 @@ unpacked=$(echo "$elsewhere"/sdist/gcv-*/)
 for part in CMakeLists.txt capi cpp pkgconfig; do
   diff -r "$repository/$part" "$unpacked/libgcv/$part"
 done
-diff -r -x __pycache__ "$binding/gcv" "$unpacked/gcv"
-diff "$repository/LICENSE" "$unpacked/LICENSE"
+for part in CMakeLists.txt LICENSE README.md gcv pyproject.toml; do
+  diff -r -x __pycache__ "$binding/$part" "$unpacked/$part"
+done
 cmake -S "$unpacked" -B "$elsewhere/configured" > "$elsewhere/cmake.log" ||
   fail "$(cat "$elsewhere/cmake.log")"
