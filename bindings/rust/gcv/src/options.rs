@@ -169,10 +169,12 @@ struct Context<'p, 'a> {
 
 /// The progress function of the C interface: not 0 to end the computation. A panic must
 /// not go through the library, and waits in the context.
+///
+/// # Safety
+/// `context` is the one of `Options::pass`, which outlives the call; the library calls
+/// this on one thread.
 unsafe extern "C" fn report(context: *mut c_void, done: u64, estimate: u64) -> i32 {
-    // SAFETY: `Options::pass` has handed over a context that outlives the call, and the
-    // library calls this on one thread.
-    let context = unsafe { &mut *context.cast::<Context>() };
+    let context = &mut *context.cast::<Context>();
     let mut progress = context
         .progress
         .lock()
