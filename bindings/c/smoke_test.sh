@@ -22,10 +22,12 @@ pkg_config() {
   "${PKG_CONFIG:-pkg-config}" --define-variable=prefix="$prefix" "$@"
 }
 
-# The first block of a language in the README.
+# The N-th block of a language in the README: example LANGUAGE N.
 example() {
-  awk -v start="\`\`\`$1" '$0 == "```" && on { exit } on { print } $0 == start { on = 1 }' \
-    "$here/README.md"
+  awk -v start="\`\`\`$1" -v left="$2" '
+    $0 == "```" && on { exit }
+    on { print }
+    $0 == start && --left == 0 { on = 1 }' "$here/README.md"
 }
 
 rm -rf "$work"
@@ -55,7 +57,20 @@ $cc -static "$here/smoke.c" $static_flags -o static
 ./static || fail "the static program fails"
 
 # What the README shows; the test c.cmake goes on from here.
-example c >sum.c
-example cmake >CMakeLists.txt
-$cc sum.c $flags -o readme
-[ "$(LD_LIBRARY_PATH=$libdir ./readme)" = "area 9" ] || fail "the example of the README fails"
+LD_LIBRARY_PATH=$libdir
+export LD_LIBRARY_PATH
+example c 1 >sum.c
+example cmake 1 >CMakeLists.txt
+$cc sum.c $flags -o sum
+[ "$(./sum)" = "area 9" ] || fail "the first example of the README fails"
+$cc sum.c -I"$prefix/include" -L"$libdir" -lgcv -o plain
+$cc -static sum.c -I"$prefix/include" -L"$libdir" -lgcv -lgmp -lstdc++ -lm -o plain_static
+[ "$(./plain) $(./plain_static)" = "area 9 area 9" ] || fail "plain flags fail"
+
+example c 2 >files.c
+$cc files.c $flags -o files
+echo "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))" >square.wkt
+[ "$(./files square.wkt square.wkt)" = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))" ] ||
+  fail "the example of the README with files fails"
+if ./files square.wkt none.wkt 2>files.log; then fail "a file that there is not is read"; fi
+grep -q "GCVX_ERR_SYSTEM: No such file" files.log || fail "the message is $(cat files.log)"
