@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+use std::fmt;
 use std::mem::size_of;
 use std::ptr::NonNull;
 
@@ -14,7 +15,6 @@ use crate::{EdgeSource, Error, Polygon};
 /// Made by [`minkowski_sum`](crate::minkowski_sum), [`no_fit_polygon`](crate::no_fit_polygon),
 /// [`entrance_block`](crate::entrance_block) and
 /// [`minkowski_sum_many`](crate::minkowski_sum_many).
-#[derive(Debug)]
 pub struct OuterFace(NonNull<sys::gcv_outer_face>);
 
 // SAFETY: as for a polygon.
@@ -137,6 +137,15 @@ impl OuterFace {
             predicates_rational: stats.predicates_rational,
             vertices_repaired: stats.vertices_repaired,
         }
+    }
+}
+
+impl fmt::Debug for OuterFace {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter
+            .debug_tuple("OuterFace")
+            .field(&self.vertices())
+            .finish()
     }
 }
 

@@ -1,6 +1,7 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
+use std::fmt;
 use std::ptr::NonNull;
 
 use gcv_sys as sys;
@@ -9,7 +10,6 @@ use crate::call::{create, elements, value, INFALLIBLE};
 use crate::Error;
 
 /// A simple polygon.
-#[derive(Debug)]
 pub struct Polygon(NonNull<sys::gcv_polygon>);
 
 // SAFETY: a polygon does not change from its creation to its destruction, and the
@@ -78,6 +78,15 @@ impl Polygon {
             sys::gcv_polygon_bounds(self.as_ptr(), out.cast())
         });
         bounds.expect(INFALLIBLE)
+    }
+}
+
+impl fmt::Debug for Polygon {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter
+            .debug_tuple("Polygon")
+            .field(&self.vertices())
+            .finish()
     }
 }
 

@@ -37,6 +37,8 @@ fn polygon_properties() {
     assert_eq!(polygon.vertices(), vertices);
     assert_eq!(polygon.area(), Ok(2.));
     assert_eq!(polygon.bounds(), [0., 0., 2., 1.]);
+    let debug = "Polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])";
+    assert_eq!(format!("{polygon:?}"), debug);
 }
 
 #[test]
@@ -48,6 +50,8 @@ fn squares() {
     assert_eq!(face.area(), Ok(9.));
     assert_eq!(face.error_bound(), 0.);
     assert_eq!(face.wkt(), "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
+    let debug = "OuterFace([[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [0.0, 3.0]])";
+    assert_eq!(format!("{face:?}"), debug);
     let again = Polygon::from_wkt(&face.wkt()).unwrap();
     assert_eq!(again.vertices(), SQUARE_3);
 }
