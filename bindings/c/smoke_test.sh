@@ -17,11 +17,6 @@ fail() {
   exit 1
 }
 
-# The build may have been configured for another prefix.
-pkg_config() {
-  "${PKG_CONFIG:-pkg-config}" --define-variable=prefix="$prefix" "$@"
-}
-
 # The N-th block of a language in the README: example LANGUAGE N.
 example() {
   awk -v start="\`\`\`$1" -v left="$2" '
@@ -37,14 +32,17 @@ cd "$work"
 
 pc=$(find "$prefix" -name gcv.pc)
 [ -n "$pc" ] || fail "no gcv.pc is installed"
+# The build may have been configured for another prefix.
+sed -i "s|^prefix=.*|prefix=$prefix|" "$pc"
 PKG_CONFIG_PATH=$(dirname "$pc")
 export PKG_CONFIG_PATH
-pkg_config --validate gcv
-libdir=$(pkg_config --variable=libdir gcv)
+pkg_config=${PKG_CONFIG:-pkg-config}
+$pkg_config --validate gcv
+libdir=$($pkg_config --variable=libdir gcv)
 
 # Word splitting of the flags is wanted below.
-flags=$(pkg_config --cflags --libs gcv)
-static_flags=$(pkg_config --static --cflags --libs gcv)
+flags=$($pkg_config --cflags --libs gcv)
+static_flags=$($pkg_config --static --cflags --libs gcv)
 
 $cc "$here/smoke.c" $flags -o dynamic
 LD_LIBRARY_PATH=$libdir ./dynamic || fail "the dynamic program fails"
