@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// compare [--quick] [--rounds N] [--limit SECONDS] [--sets NAME,NAME...]
+// compare [--quick] [--rounds N] [--limit SECONDS] [--sets NAME,...] [--systems NAME,...]
 //
 // Measures all systems on the pairs of the sets, side by side: in every round each system
 // runs once on the pair, in a process of its own. Writes one line of JSON for each pair.
@@ -30,8 +30,22 @@ struct Options {
   bool quick = false;
   int rounds = 5;
   double limit = 60;
-  std::vector<std::string> sets;  // all, if none are named
+  std::vector<std::string> sets;     // all, if none are named
+  std::vector<std::string> systems;  // likewise
 };
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
@@ -44,10 +58,9 @@ Options parse(const std::vector<std::string>& arguments) {
     } else if (arguments[k] == "--limit") {
       options.limit = std::stod(value());
     } else if (arguments[k] == "--sets") {
-      std::istringstream names(value());
-      for (std::string name; std::getline(names, name, ',');) {
-        options.sets.push_back(name);
-      }
+      options.sets = split(value());
+    } else if (arguments[k] == "--systems") {
+      options.systems = split(value());
     } else {
       throw std::invalid_argument("unknown argument: " + arguments[k]);
     }
@@ -136,8 +149,7 @@ class Comparison {
 
   void run() {
     for (const Set& set : all_sets(options_.quick)) {
-      const auto& names = options_.sets;
-      if (names.empty() || std::find(names.begin(), names.end(), set.name) != names.end()) {
+      if (options_.sets.empty() || contains(options_.sets, set.name)) {
         run(set);
       }
     }
@@ -153,9 +165,12 @@ class Comparison {
       // In a set that grows, what was cut off is not tried on larger pairs.
       const auto is_tried = [&](const System& system) {
         const double vertex_pairs = static_cast<double>(a.size()) * static_cast<double>(b.size());
-        return (system.is_principal || !set.principal_only) &&
-               vertex_pairs <= system.most_vertex_pairs &&
-               !(set.grows && cut_off.contains(system.name));
+        const bool is_asked = options_.systems.empty() || contains(options_.systems, system.name);
+        const bool is_invited =
+            system.role == Role::libgcv ||
+            ((set.for_all_peers || system.role == Role::principal_peer) &&
+             vertex_pairs <= std::min(system.most_vertex_pairs, set.most_vertex_pairs_for_peers));
+        return is_asked && is_invited && !(set.grows && cut_off.contains(system.name));
       };
       std::vector<System> tried;
       std::copy_if(systems_.begin(), systems_.end(), std::back_inserter(tried), is_tried);

@@ -7,6 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "data.hpp"
 #include "shapes.hpp"
 
 namespace {
@@ -108,6 +109,10 @@ int main(int argc, char** argv) {
   add("convex_8", pair_of(8, bench::random_convex));
   add("convex_1000", pair_of(1000, bench::random_convex));
   add("stars_40", pair_of(40, test::random_spiky_star));
+  if (const auto data = test::data_directory()) {
+    add("fork", {test::read_polygon(*data / "cgal/fork_a.wkt"),
+                 test::read_polygon(*data / "cgal/fork_b.wkt")});
+  }
   add("combs_9", {bench::comb(9), bench::quarter_turned(bench::comb(9))});
   add("coasts_100", pair_of(100, bench::coast));
   add("coasts_10000", pair_of(10000, bench::coast));

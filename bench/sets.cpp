@@ -23,8 +23,7 @@ std::string size_name(int n) { return std::to_string(n) + " x " + std::to_string
 
 // The blocks of pairs.txt; comments divide them.
 std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory) {
-  std::vector<Set> blocks{
-      {"paper", false, false, {}}, {"real", false, false, {}}, {"growing", false, true, {}}};
+  std::vector<Set> blocks{{.name = "paper"}, {.name = "real"}, {.name = "growing", .grows = true}};
   std::ifstream stream(directory / "pairs.txt");
   std::size_t block = 0;
   for (std::string line; std::getline(stream, line);) {
@@ -52,7 +51,7 @@ Set nesting(const std::filesystem::path& directory, int count) {
     }
   }
   std::sort(files.begin(), files.end());
-  Set set{"nesting", true, false, {}};
+  Set set{.name = "nesting", .for_all_peers = false};
   Random random(1);
   const auto draw = [&] {
     return files[static_cast<std::size_t>(uniform(random, 0, static_cast<int>(files.size()) - 1))];
@@ -70,7 +69,7 @@ Set nesting(const std::filesystem::path& directory, int count) {
 // Two polygons of each size, from one generator.
 template <class Make>
 Set of_sizes(const char* name, const std::vector<int>& sizes, Make make) {
-  Set set{name, false, true, {}};
+  Set set{.name = name, .grows = true};
   for (const int n : sizes) {
     set.pairs.push_back({size_name(n), [n, make] {
                            Random random(static_cast<std::uint64_t>(n));
@@ -82,7 +81,7 @@ Set of_sizes(const char* name, const std::vector<int>& sizes, Make make) {
 }
 
 Set tiny_pairs(int count) {
-  Set set{"tiny", false, false, {}};
+  Set set{.name = "tiny"};
   for (int k = 1; k <= count; ++k) {
     set.pairs.push_back({std::to_string(k), [k] {
                            Random random(static_cast<std::uint64_t>(k));
@@ -109,47 +108,48 @@ Rings twice(const Ring& ring) { return {ring, ring}; }
 
 // Shapes that cost more than their size tells; the first one is what they are compared to.
 Set hostile() {
-  return {"hostile",
-          true,
-          false,
-          {{"coasts 10000 x 10000", [] { return coasts(10000, 10000); }},
-           {"comb of 250 teeth, with itself", [] { return twice(comb(250)); }},
-           {"comb of 2500 teeth, turned",
-            [] {
-              return Rings{comb(2500), quarter_turned(comb(2500))};
-            }},
-           {"Koch curves 3072 x 3072", [] { return twice(koch(5)); }},
-           {"spiky stars 1000 x 1000", [] { return spiky_stars(1000); }},
-           {"spiky stars 10000 x 10000", [] { return spiky_stars(10000); }},
-           {"regular 10000-gons",
-            [] {
-              return Rings{regular(10000, 100), regular(10000, 70)};
-            }},
-           {"zigzag of 500, with itself", [] { return twice(zigzag(500)); }},
-           {"zigzag of 500, turned",
-            [] {
-              return Rings{zigzag(500), quarter_turned(zigzag(500))};
-            }},
-           {"spiral of 100 turns + small square",
-            [] {
-              return Rings{spiral(100), regular(4, 0.5)};
-            }},
-           {"spiral of 100 turns, with itself", [] { return twice(spiral(100)); }},
-           {"coasts 100000 x 4", [] { return coasts(100000, 4); }},
-           {"coasts 10000 x 10000, one scaled by 1/1000",
-            [] {
-              auto [a, b] = coasts(10000, 10000);
-              return Rings{a, scaled(b, 0.001)};
-            }},
-           {"coast 10000 and its reflection",
-            [] {
-              const Ring a = coasts(10000, 4).first;
-              return Rings{a, test::negated(a)};
-            }},
-           {"coasts 10000 x 10000, 10^9 away", [] {
-              auto [a, b] = coasts(10000, 10000);
-              return Rings{moved(a, 1e9, -1e9), moved(b, -3e9, 2e9)};
-            }}}};
+  return {.name = "hostile",
+          .pairs = {{"coasts 10000 x 10000", [] { return coasts(10000, 10000); }},
+                    {"comb of 250 teeth, with itself", [] { return twice(comb(250)); }},
+                    {"comb of 2500 teeth, turned",
+                     [] {
+                       return Rings{comb(2500), quarter_turned(comb(2500))};
+                     }},
+                    {"Koch curves 3072 x 3072", [] { return twice(koch(5)); }},
+                    {"spiky stars 1000 x 1000", [] { return spiky_stars(1000); }},
+                    {"spiky stars 10000 x 10000", [] { return spiky_stars(10000); }},
+                    {"regular 10000-gons",
+                     [] {
+                       return Rings{regular(10000, 100), regular(10000, 70)};
+                     }},
+                    {"zigzag of 500, with itself", [] { return twice(zigzag(500)); }},
+                    {"zigzag of 500, turned",
+                     [] {
+                       return Rings{zigzag(500), quarter_turned(zigzag(500))};
+                     }},
+                    {"spiral of 100 turns + small square",
+                     [] {
+                       return Rings{spiral(100), regular(4, 0.5)};
+                     }},
+                    {"spiral of 100 turns, with itself", [] { return twice(spiral(100)); }},
+                    {"coasts 100000 x 4", [] { return coasts(100000, 4); }},
+                    {"coasts 10000 x 10000, one scaled by 1/1000",
+                     [] {
+                       auto [a, b] = coasts(10000, 10000);
+                       return Rings{a, scaled(b, 0.001)};
+                     }},
+                    {"coast 10000 and its reflection",
+                     [] {
+                       const Ring a = coasts(10000, 4).first;
+                       return Rings{a, test::negated(a)};
+                     }},
+                    {"coasts 10000 x 10000, 10^9 away",
+                     [] {
+                       auto [a, b] = coasts(10000, 10000);
+                       return Rings{moved(a, 1e9, -1e9), moved(b, -3e9, 2e9)};
+                     }}},
+          .for_all_peers = false,
+          .most_vertex_pairs_for_peers = 5e5};
 }
 
 std::vector<int> up_to(int most, std::vector<int> sizes) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,9 +22,10 @@ struct Pair {
 
 struct Set {
   std::string name;
-  bool principal_only;  // only systems that are principal run on it
-  bool grows;           // in size, so that who is cut off on a pair would be on later ones
-  std::vector<Pair> pairs;
+  std::vector<Pair> pairs = {};
+  bool for_all_peers = true;  // or else for the principal ones alone
+  bool grows = false;         // in size: who is cut off on a pair would be on later ones
+  double most_vertex_pairs_for_peers = std::numeric_limits<double>::infinity();
 };
 
 // All sets; those of data only where the data is. A quick run has fewer and smaller pairs.

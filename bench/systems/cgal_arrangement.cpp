@@ -44,19 +44,24 @@ CgalPolygon unbounded_face(const std::vector<SupersetEdge>& superset) {
   return boundary;
 }
 
-// Every edge + every vertex that is convex and has the edge's direction in its closed cone.
+// Every edge + every vertex that is convex and has the edge's direction in its cone. Of two
+// edges of equal direction, that of B is taken first and then that of A, as in one pass
+// round the convolution: so one side of each cone is open.
 std::vector<SupersetEdge> enumerate_reduced_convolution(const Operands& operands) {
+  const auto& [a, b, directions] = operands;
   std::vector<SupersetEdge> edges;
-  const auto sum = [&](Index i, Index j) {
-    return SumPoint{operands.a.vertices[i], operands.b.vertices[j]};
-  };
-  for (Index i = 0; i < operands.a.size(); ++i) {
-    for (Index j = 0; j < operands.b.size(); ++j) {
-      if (operands.b_contributes(j, operands.directions.rank_a[i])) {
-        edges.push_back({sum(i, j), sum(operands.a.next(i), j), {EdgeKind::translated, i, j}});
+  for (Index i = 0; i < a.size(); ++i) {
+    for (Index j = 0; j < b.size(); ++j) {
+      const Rank of_a = directions.rank_a[i];
+      const Rank of_b = directions.rank_b[j];
+      const SumPoint start{a.vertices[i], b.vertices[j]};
+      if (operands.b_contributes(j, of_a) && of_a != of_b) {
+        const SumPoint end{a.vertices[a.next(i)], b.vertices[j]};
+        edges.push_back({start, end, {EdgeKind::translated, i, j}});
       }
-      if (operands.a_contributes(i, operands.directions.rank_b[j])) {
-        edges.push_back({sum(i, j), sum(i, operands.b.next(j)), {EdgeKind::corner, i, j}});
+      if (operands.a_contributes(i, of_b) && of_b != directions.rank_a[a.previous(i)]) {
+        const SumPoint end{a.vertices[i], b.vertices[b.next(j)]};
+        edges.push_back({start, end, {EdgeKind::corner, i, j}});
       }
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The integer grid that polygons are rounded to for systems that compute on integers: the
-// same for both polygons, and all of the sum within 2^30.
+// same for both polygons, and all of the sum within 2^29.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace gcv::bench {
 
 class IntegerGrid {
  public:
-  IntegerGrid(const Ring& a, const Ring& b) : exponent_(29 - exponent_of(a, b)) {}
+  IntegerGrid(const Ring& a, const Ring& b) : exponent_(28 - exponent_of(a, b)) {}
 
   [[nodiscard]] int to_grid(double x) const {
     return static_cast<int>(std::lround(std::ldexp(x, exponent_)));

@@ -28,9 +28,15 @@ struct Job {
   std::function<Observation()> observe = [] { return Observation{}; };
 };
 
+enum class Role {
+  libgcv,          // runs on everything
+  principal_peer,  // runs on all sets
+  peer,            // runs on the sets that are for all peers
+};
+
 struct System {
   std::string name;
-  bool is_principal;         // runs on the large sets too
+  Role role;
   double most_vertex_pairs;  // not tried on polygons of n and m vertices beyond n m
   std::function<Job(const Ring& a, const Ring& b)> prepare;
 };
@@ -54,7 +60,7 @@ Job cgal_decomposition(const Ring& a, const Ring& b);
 Job gcv_arrangement(const Ring& a, const Ring& b);
 Job reduced_convolution_arrangement(const Ring& a, const Ring& b);
 
-// Unions of parallelograms, on integer grids: all of the sum is within 2^30.
+// Unions of parallelograms, on integer grids: all of the sum is within 2^29.
 Job boost_polygon(const Ring& a, const Ring& b);
 Job clipper(const Ring& a, const Ring& b);
 Job clipper2(const Ring& a, const Ring& b);
