@@ -3,6 +3,7 @@
 #include <CGAL/Arrangement_2.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <iterator>
 #include <stdexcept>
@@ -70,29 +71,30 @@ std::vector<SupersetEdge> enumerate_reduced_convolution(const Operands& operands
 
 using Enumerate = std::vector<SupersetEdge> (*)(const Operands&);
 
+std::vector<SupersetEdge> superset_of(const Ring& a, const Ring& b, Enumerate enumerate) {
+  const Polygon p = make_polygon(a, "a");
+  const Polygon q = make_polygon(b, "b");
+  Tally tally;
+  return enumerate({p, q, merge_directions(p, q, tally)});
+}
+
 Job arrangement_job(const Ring& a, const Ring& b, Enumerate enumerate) {
-  struct State {
-    Observation observation;
-    CgalPolygon boundary;
-  };
-  auto state = std::make_shared<State>();
-  return {
-      [&a, &b, enumerate, state] {
-        const auto start = Clock::now();
-        const Polygon p = make_polygon(a, "a");
-        const Polygon q = make_polygon(b, "b");
-        Tally tally;
-        const std::vector<SupersetEdge> superset = enumerate({p, q, merge_directions(p, q, tally)});
-        const std::chrono::duration<double> elapsed = Clock::now() - start;
-        state->observation = {0, superset.size(), elapsed.count()};
-        state->boundary = unbounded_face(superset);
-        return to_doubles(state->boundary);
-      },
-      [state] {
-        Observation observation = state->observation;
-        observation.exact_vertices = count_corners(state->boundary);
-        return observation;
-      }};
+  auto boundary = std::make_shared<CgalPolygon>();
+  return {[&a, &b, enumerate, boundary] {
+            *boundary = unbounded_face(superset_of(a, b, enumerate));
+            return to_doubles(*boundary);
+          },
+          [&a, &b, enumerate, boundary] {
+            std::array<double, 5> seconds{};
+            std::size_t edges = 0;
+            for (double& time : seconds) {
+              const auto start = Clock::now();
+              edges = superset_of(a, b, enumerate).size();
+              time = std::chrono::duration<double>(Clock::now() - start).count();
+            }
+            std::sort(seconds.begin(), seconds.end());
+            return Observation{count_corners(*boundary), edges, seconds[seconds.size() / 2]};
+          }};
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using Ring = std::vector<Point>;
 struct Observation {
   std::size_t exact_vertices = 0;  // of the exact ring, without collinear ones
   std::size_t superset_edges = 0;
-  double superset_seconds = 0;  // the part of the run in which they were found
+  double superset_seconds = 0;  // what it takes to find them
 };
 
 // run is what is timed: all that a caller has to pay for one sum, to the vertices in his
