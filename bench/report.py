@@ -188,8 +188,8 @@ def bars(rows: list[Row], limit: float) -> list[Bar]:
         ("spiky stars 10000 x 10000", 30),
         ("regular 10000-gons", 0.05),
     ]:
-        row = hostile.get(pair)
-        ms = None if row is None else at_least(row, OWN, limit)
+        shape = hostile.get(pair)
+        ms = None if shape is None else at_least(shape, OWN, limit)
         value = ms / unit if ms is not None and unit is not None else None
         result.append(Bar(f"{pair}, in times of the coasts 10000 x 10000", value, bound, False))
     return result
