@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// compare [--quick] [--rounds N] [--limit SECONDS] [--sets NAME,...] [--systems NAME,...]
+// gcv_compare [--quick] [--rounds N] [--limit SECONDS] [--sets NAME,...]
+//             [--systems NAME,...]
 //
 // Measures all systems on the pairs of the sets, side by side: in every round each system
 // runs once on the pair, in a process of its own. Writes one line of JSON for each pair.
@@ -214,7 +215,7 @@ int main(int argc, char** argv) {
   try {
     gcv::bench::Comparison(gcv::bench::parse({argv + 1, argv + argc})).run();
   } catch (const std::exception& exception) {
-    std::fprintf(stderr, "compare: %s\n", exception.what());
+    std::fprintf(stderr, "gcv_compare: %s\n", exception.what());
     return 1;
   }
   return 0;

@@ -9,7 +9,7 @@
 namespace gcv::bench {
 
 struct Measurement {
-  double seconds = 0;  // for one run: the median of some
+  double seconds = 0;  // for one run: the least of some
   std::size_t vertices = 0;
   double area = 0;
   std::size_t peak_bytes = 0;  // resident in the process, with the input

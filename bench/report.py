@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Optional
 
-Row = dict[str, Any]  # one line of compare: set, pair, a, b, results
+Row = dict[str, Any]  # one line of gcv_compare: set, pair, a, b, results
 
 ROOT = Path(__file__).resolve().parent.parent
 BUILD = ROOT / "build" / "bench"
@@ -305,7 +305,7 @@ def check_superset_sizes(rows: list[Row]) -> None:
 def report(machine: dict[str, str], rows: list[Row], limit: float) -> str:
     parts = ["".join(f"- {key}: {value}\n" for key, value in machine.items())]
     parts.append(
-        "Milliseconds of one sum, medians, one thread. A / B and ring: vertices. "
+        "Milliseconds of one sum on one thread, medians. A / B and ring: vertices. "
         "-: not tried; >: cut off.\n"
     )
     for name in dict.fromkeys(row["set"] for row in rows):
@@ -401,7 +401,7 @@ def machine_description() -> dict[str, str]:
 def measure(arguments: list[str]) -> list[Row]:
     rows = []
     with subprocess.Popen(
-        [str(BUILD / "bench" / "compare"), *arguments], stdout=subprocess.PIPE, text=True
+        [str(BUILD / "bench" / "gcv_compare"), *arguments], stdout=subprocess.PIPE, text=True
     ) as process:
         assert process.stdout is not None
         for line in process.stdout:
