@@ -376,7 +376,10 @@ def growth_picture(rows: list[Row]) -> str:
 
 def machine_description() -> dict[str, str]:
     def output(*command: str) -> str:
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+        except OSError:
+            return "unknown"
         return (done.stdout.splitlines() or ["unknown"])[0]
 
     def version(package: str) -> str:
@@ -448,8 +451,8 @@ def main() -> None:
     if options.markdown:
         options.markdown.write_text("# Measurements\n\n" + text, encoding="utf-8")
     coasts = [row for row in rows if row["set"] == "coasts"]
-    if coasts:
-        (BUILD / "growth.svg").write_text(growth_picture(coasts), encoding="utf-8")
+    if coasts and not options.quick:
+        (ROOT / "bench" / "growth.svg").write_text(growth_picture(coasts), encoding="utf-8")
     check_superset_sizes([row for row in rows if row["set"] == "paper"])
 
 
