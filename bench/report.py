@@ -7,6 +7,7 @@ import argparse
 import datetime
 import json
 import math
+import os
 import platform
 import statistics
 import subprocess
@@ -157,7 +158,7 @@ def bars(rows: list[Row], limit: float) -> list[Bar]:
         return None if row is None else ratio(row, CGAL, limit, own)
 
     def of_set(set_name: str, peer: str) -> list[float]:
-        ratios = (ratio(row, peer, limit) for row in sets.get(set_name, {}).values())
+        ratios = (ratio(row, peer, limit) for row in rows if row["set"] == set_name)
         return [r for r in ratios if r is not None]
 
     paper = of_set("paper", CGAL)
@@ -392,6 +393,7 @@ def machine_description() -> dict[str, str]:
     return {
         "date": datetime.date.today().isoformat(),
         "machine": f"{models[0] if models else platform.machine()}, {len(models)} cores",
+        "load, of 15 minutes": f"{os.getloadavg()[2]:.1f}",
         "compiler": output(compiler, "--version") + ", Release",
         "libgcv": output("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
         "CGAL": version("libcgal-dev"),
