@@ -125,6 +125,9 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
 
 std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally) {
   const Placement nearest = place_nearest(ring, task, tally);
+  if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
+    return nearest;
+  }
   const std::vector<Point> snapped = snap(nearest.places).vertices;
   if (snapped.size() >= 3 && !find_conflict(snapped) && is_counter_clockwise(snapped)) {
     return nearest;
