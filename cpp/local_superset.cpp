@@ -43,7 +43,7 @@ double mean_edge_size(const Operands& operands) {
 }  // namespace
 
 // A window without what lies left of a line, as a place to search. The bounds of the errors
-// are those of Piece in outer_face.cpp.
+// are those of piece.hpp.
 class LocalSuperset::Band {
  public:
   Band(const Box& box, double dx, double dy, double leftmost)
@@ -66,15 +66,15 @@ class LocalSuperset::Band {
     const Lanes to = dx_ * Lanes::load(capsules.y + 1) - dy_ * Lanes::load(capsules.x + 1);
     const Lanes lowest = smaller(from, to) - length_ * Lanes::load(capsules.radius);
     lowest.store(look.lowest);
-    lowest.store(look.highest);
+    lowest.store(look.highest);  // which no band asks for
     look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
                                            box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~(lowest > leftmost_ - other.offsets.lowest).bits();
   }
 
   template <class Visit>
-  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block&,
-             const ImplicitSuperset::Node&, Visit visit) const {
+  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block& /*block*/,
+             const ImplicitSuperset::Node& /*other*/, Visit visit) const {
     for_each_lane(look.lanes, visit);
   }
 
