@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One sum through the C interface, for guard.py to count the instructions of.
+//
+//   speed_case                     prints the names of the cases
+//   speed_case NAME REPETITIONS    runs one of them
+#include <cstddef>
+#include <functional>
+#include <iostream>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "catalogue.hpp"
+#include "gcv/gcv.h"
+#include "shapes.hpp"
+
+namespace gcv::hard {
+namespace {
+
+// Between two points of the circle that are settled, the middle one moves in or out in
+// proportion to their distance.
+void displace_middles(std::vector<double>& radii, std::size_t begin, std::size_t end,
+                      Random& random) {
+  const std::size_t middle = (begin + end) / 2;
+  if (middle == begin) {
+    return;
+  }
+  radii[middle] = (radii[begin] + radii[end]) / 2 +
+                  uniform(random, -1000, 1000) * static_cast<double>(end - begin) / 2000;
+  displace_middles(radii, begin, middle, random);
+  displace_middles(radii, middle, end, random);
+}
+
+// Detail at all scales; four times as many vertices as given.
+Polygon coast(Random& random, int quarter) {
+  Polygon polygon = circle(quarter);
+  const std::size_t size = polygon.size();
+  std::vector<double> radii(size + 1, static_cast<double>(size));
+  displace_middles(radii, 0, size, random);
+  for (std::size_t k = 0; k < size; ++k) {
+    polygon[k] = {radii[k] * polygon[k][0], radii[k] * polygon[k][1]};
+  }
+  return polygon;
+}
+
+Pair convex() { return {circle(2), mapped(circle(2), rotation(5, 2))}; }
+
+Pair parts() {
+  return {{{0, 0},
+           {14, -3},
+           {25, 2},
+           {31, 11},
+           {24, 14},
+           {29, 24},
+           {17, 21},
+           {12, 30},
+           {7, 20},
+           {-4, 22},
+           {2, 12},
+           {-6, 5}},
+          {{0, 0},
+           {9, 4},
+           {20, 1},
+           {18, 10},
+           {26, 17},
+           {15, 18},
+           {13, 27},
+           {8, 19},
+           {-1, 23},
+           {1, 15},
+           {-8, 10},
+           {2, 7}}};
+}
+
+Pair stars() {
+  Random random(1);
+  const Polygon star = random_star(random, 10);
+  return {star, random_star(random, 10)};
+}
+
+Pair combs() {
+  const Polygon polygon = comb(20, 1, 1, 7);
+  return {polygon, polygon};
+}
+
+Pair coasts() {
+  Random random(2);
+  const Polygon polygon = coast(random, 75);
+  return {polygon, coast(random, 75)};
+}
+
+Pair key_in_slot() {
+  const Slot slot{3, 4, 7, 5};
+  const Map turn = rotation(7, 2);
+  return {mapped(block_with(slot), turn), negated(mapped(key_of(slot), turn))};
+}
+
+const std::map<std::string, std::function<Pair()>> cases{
+    {"convex", convex}, {"parts", parts},   {"stars", stars},
+    {"combs", combs},   {"coasts", coasts}, {"key_in_slot", key_in_slot}};
+
+void require(gcv_status status) {
+  if (status != GCV_OK) {
+    throw std::runtime_error(gcv_last_error_message());
+  }
+}
+
+void sum(const Pair& pair) {
+  gcv_polygon* a = nullptr;
+  gcv_polygon* b = nullptr;
+  gcv_outer_face* face = nullptr;
+  std::size_t count = 0;
+  require(gcv_polygon_create(pair.a.front().data(), pair.a.size(), 0, &a));
+  require(gcv_polygon_create(pair.b.front().data(), pair.b.size(), 0, &b));
+  require(gcv_minkowski_sum(a, b, nullptr, &face));
+  require(gcv_outer_face_vertex_count(face, &count));
+  Polygon ring(count);
+  require(gcv_outer_face_vertices(face, ring.front().data(), count, &count));
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(b);
+  gcv_polygon_destroy(a);
+}
+
+}  // namespace
+}  // namespace gcv::hard
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    for (const auto& [name, pair] : gcv::hard::cases) {
+      std::cout << name << '\n';
+    }
+    return 0;
+  }
+  const gcv::hard::Pair pair = gcv::hard::cases.at(argv[1])();
+  for (int repetitions = std::stoi(argv[2]); repetitions > 0; --repetitions) {
+    gcv::hard::sum(pair);
+  }
+  return 0;
+}
