@@ -12,7 +12,8 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 PROGRAMS = Path(os.environ["GCV_EXAMPLES"])
-POLYGONS = Path(__file__).parent / "polygons"
+HERE = Path(__file__).parent
+POLYGONS = HERE / "polygons"
 SVG = "{http://www.w3.org/2000/svg}"
 
 # Every shipped polygon is in one of the pairs that belong together.
@@ -227,6 +228,33 @@ class Failures(TestInFolder):
             done = subprocess.run([PROGRAMS / "outer_face", *pair], stdout=full, text=True,
                                   stderr=subprocess.PIPE, check=False, timeout=300)
         self.assert_failure(done, "standard output")
+
+
+class Bindings(TestInFolder):
+    """The examples in Python."""
+
+    def succeed(self, *command):
+        done = subprocess.run([*map(str, command)], text=True, capture_output=True, check=False,
+                              timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def rings(self, path, style=None):
+        """The paths in a picture, those of a class if one is given."""
+        return [[tuple(map(float, pair.split())) for pair in drawn.get("d").strip("MZ").split("L")]
+                for drawn in ElementTree.parse(path).iter(f"{SVG}path")
+                if drawn.get("class") == style]
+
+
+class Nesting(Bindings):
+    def test_nesting(self):
+        picture = self.folder / "nesting.svg"
+        done = self.succeed(sys.executable, HERE / "nesting.py", "--svg", picture)
+        self.assertEqual(done.stdout, "12 parts, length 7387246/114345 (about 64.605): "
+                                      f"{picture}\n")
+        rings = self.rings(picture)
+        self.assertEqual(len(rings), 12)
+        self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
 
 
 class Polygons(TestInFolder):
