@@ -231,7 +231,7 @@ class Failures(TestInFolder):
 
 
 class Bindings(TestInFolder):
-    """The examples in Python."""
+    """The examples in Python and Rust."""
 
     def succeed(self, *command):
         done = subprocess.run([*map(str, command)], text=True, capture_output=True, check=False,
@@ -255,6 +255,22 @@ class Nesting(Bindings):
         rings = self.rings(picture)
         self.assertEqual(len(rings), 12)
         self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
+
+
+class MotionPlanning(Bindings):
+    def test_motion_planning(self):
+        picture = self.folder / "motion_planning.svg"
+        done = self.succeed(os.environ["CARGO"], "run", "--locked", "--example", "motion_planning",
+                            "--features", "num-rational", "--", picture)
+        *legs, last = done.stdout.splitlines()
+        self.assertEqual([leg.split(": ")[1] for leg in legs],
+                         [f"{free} of the way is free"
+                          for free in ("1", "1", "1", "13/18", "506/969", "1", "29/48")])
+        self.assertEqual(last, f"picture: {picture}")
+        self.assertEqual([len(self.rings(picture, style)) for style in
+                          ("grown", "obstacle", "robot")], [4, 4, 8])
+        self.assertIn([(11, 17), (14, 20), (16, 19), (16, 11), (20, 11), (20, 24), (11, 24)],
+                      self.rings(picture, "obstacle"))
 
 
 class Polygons(TestInFolder):
