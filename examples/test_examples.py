@@ -257,6 +257,27 @@ class Nesting(Bindings):
         self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
 
 
+class NfpDask(Bindings):
+    def check(self, *arguments):
+        done = self.succeed(sys.executable, HERE / "nfp_dask.py", "--check", *arguments)
+        self.assertIn("100%", done.stderr)
+        same, summary = done.stdout.splitlines()
+        self.assertEqual(same, "the same to the bit as in one process")
+        return summary
+
+    def test_parts_of_nesting(self):
+        self.assertEqual(self.check("--workers", 2),
+                         "144 no-fit polygons of 12 parts, 55346.211 in area together")
+
+    def test_parts_in_a_folder_on_a_cluster_that_runs(self):
+        from dask.distributed import LocalCluster
+
+        with LocalCluster(n_workers=1, processes=False, protocol="tcp",
+                          dashboard_address=None) as cluster:
+            self.assertEqual(self.check("--scheduler", cluster.scheduler_address, self.folder),
+                             "4 no-fit polygons of 2 parts, 36.000 in area together")
+
+
 class MotionPlanning(Bindings):
     def test_motion_planning(self):
         picture = self.folder / "motion_planning.svg"
