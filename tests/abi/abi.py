@@ -25,15 +25,27 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 BASELINE = ROOT / "tests/abi/libgcv.abi"
 SYMBOLS = ROOT / "debian/libgcv0.symbols"
 
+COMPILER = os.environ.get("CXX", "c++")
+# fmt: off
+OPTIONS = ["-std=c++20", "-g", "-O0", "-fPIC", "-fvisibility=hidden", "-shared",
+           "-Dgcv_EXPORTS", "-Wl,-soname,libgcv.so.0"]
+ABIDW = ["abidw", "--drop-private-types", "--exported-interfaces-only", "--no-architecture",
+         "--no-comp-dir-path", "--no-corpus-path", "--no-elf-needed", "--no-show-locs",
+         "--type-id-style", "hash"]
+GENSYMBOLS = ["dpkg-gensymbols", "-plibgcv0", "-c4"]
+# fmt: on
+
 Edit = tuple[str, str, str]
 """A file in capi/, a pattern that occurs in it, and its replacement."""
+Look = Callable[[pathlib.Path, pathlib.Path], str]
+"""What is seen of an interface, from its sources and with a folder for scratch."""
 
 HEADER, SOURCE, MAP = "include/gcv/gcv.h", "gcv.cpp", "gcv.map"
 
 NEW_FUNCTION: list[Edit] = [
     (HEADER, r"(#ifdef __cplusplus\n\})", r"GCV_API int32_t gcv_new(void);\n\1"),
     (SOURCE, r"\Z", "int32_t gcv_new(void) { return 1; }\n"),
-    (MAP, r"global:", "global: gcv_new;"),
+    (MAP, r"\A([^{]*\{\s*global:)", r"\1 gcv_new;"),
 ]
 LOST_FUNCTION: list[Edit] = [(MAP, r"\bgcv_polygon_area;", "")]
 
@@ -50,7 +62,8 @@ INCOMPATIBLE: dict[str, list[Edit]] = {
     "another return type": [(HEADER, r"typedef int32_t gcv_status", "typedef int64_t gcv_status")],
     "gcv_options grows in the middle": [(HEADER, r"int32_t rounding;", r"\g<0> double earlier;")],
     "gcv_stats grows before its end": [
-        (HEADER, r"uint64_t vertices_repaired;", r"uint64_t earlier; \g<0>")],
+        (HEADER, r"uint64_t vertices_repaired;", r"uint64_t earlier; \g<0>")
+    ],
     "gcv_edge_source grows": [(HEADER, r"\} gcv_edge_source;", r"uint32_t later; \g<0>")],
 }
 
@@ -59,20 +72,29 @@ def interface(capi: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
     """The C interface compiled as a shared library, from the sources in capi."""
     library = folder / "libgcv.so.0"
     subprocess.run(
-        [os.environ.get("CXX", "c++"), "-std=c++20", "-g", "-O0", "-fPIC", "-shared",
-         "-fvisibility=hidden", "-I", capi / "include", "-I", ROOT / "cpp",
-         *capi.glob("*.cpp"), "-o", library, "-Wl,-soname,libgcv.so.0",
-         f"-Wl,--version-script={capi / MAP}"], check=True)
+        [
+            COMPILER,
+            *OPTIONS,
+            f"-I{capi / 'include'}",
+            f"-I{ROOT / 'cpp'}",
+            *capi.glob("*.cpp"),
+            f"-Wl,--version-script={capi / MAP}",
+            "-o",
+            library,
+        ],
+        check=True,
+    )
     return library
 
 
 def describe(capi: pathlib.Path, folder: pathlib.Path) -> str:
     """What abidw says of the interface, without the places that it was found in."""
     described = subprocess.run(
-        ["abidw", "--headers-dir", capi / "include", "--drop-private-types",
-         "--exported-interfaces-only", "--no-architecture", "--no-comp-dir-path",
-         "--no-corpus-path", "--no-elf-needed", "--no-show-locs", "--type-id-style", "hash",
-         interface(capi, folder)], check=True, capture_output=True, text=True).stdout
+        [*ABIDW, "--headers-dir", capi / "include", interface(capi, folder)],
+        check=True,
+        capture_output=True,
+        text=True,
+    ).stdout
     return re.sub(r" path='[^']*'", "", described)
 
 
@@ -93,8 +115,9 @@ def breaks_programs(capi: pathlib.Path, folder: pathlib.Path) -> str:
     """What abidiff reports of the interface, as against the baseline."""
     described = folder / "described.abi"
     described.write_text(without_growth(describe(capi, folder), BASELINE.read_text()))
-    run = subprocess.run(["abidiff", "--no-added-syms", BASELINE, described],
-                         capture_output=True, text=True)
+    run = subprocess.run(
+        ["abidiff", "--no-added-syms", BASELINE, described], capture_output=True, text=True
+    )
     return run.stdout + run.stderr if run.returncode else ""
 
 
@@ -102,8 +125,16 @@ def gensymbols(capi: pathlib.Path, folder: pathlib.Path) -> tuple[str, str]:
     """Debian's symbols file as it should be, and in what it is not."""
     made = folder / "symbols"
     run = subprocess.run(
-        ["dpkg-gensymbols", "-plibgcv0", f"-e{interface(capi, folder)}", f"-I{SYMBOLS}",
-         f"-O{made}", "-c4"], cwd=ROOT, capture_output=True, text=True)
+        [
+            *GENSYMBOLS,
+            f"-e{interface(capi, folder)}",
+            f"-I{SYMBOLS}",
+            f"-O{made}",
+        ],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+    )
     without_revisions = re.sub(r"(?m)^( \S+ [\d.]+)-\S+$", r"\1", made.read_text())
     return without_revisions, run.stdout + run.stderr if run.returncode else ""
 
@@ -112,7 +143,7 @@ def symbols_differ(capi: pathlib.Path, folder: pathlib.Path) -> str:
     return gensymbols(capi, folder)[1]
 
 
-def with_edits(look: Callable[[pathlib.Path, pathlib.Path], str], edits: list[Edit]) -> str:
+def with_edits(look: Look, edits: list[Edit]) -> str:
     """What is seen of a copy of capi/ that was changed."""
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -126,21 +157,21 @@ def with_edits(look: Callable[[pathlib.Path, pathlib.Path], str], edits: list[Ed
         return look(capi, folder)
 
 
-def check(look: Callable[[pathlib.Path, pathlib.Path], str], allowed: dict[str, list[Edit]],
-          refused: dict[str, list[Edit]]) -> int:
+def check(look: Look, allowed: dict[str, list[Edit]], refused: dict[str, list[Edit]]) -> int:
     reports = {name: with_edits(look, edits) for name, edits in allowed.items()}
     found = [f"{name}: {report}" for name, report in reports.items() if report]
-    found += [f"not noticed: {name}" for name, edits in refused.items()
-              if not with_edits(look, edits)]
+    found += [
+        f"not noticed: {name}" for name, edits in refused.items() if not with_edits(look, edits)
+    ]
     print(*found, sep="\n")
     return 1 if found else 0
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("task", choices=["baseline", "symbols", "check-baseline",
-                                         "check-symbols"])
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("task", choices=["baseline", "symbols", "check-baseline", "check-symbols"])
     task = parser.parse_args().task
     if task == "baseline":
         BASELINE.write_text(with_edits(describe, []))
@@ -149,8 +180,11 @@ def main() -> int:
     elif task == "check-baseline":
         return check(breaks_programs, COMPATIBLE, INCOMPATIBLE)
     else:
-        return check(symbols_differ, {"nothing": []},
-                     {"a new function": NEW_FUNCTION, "a lost function": LOST_FUNCTION})
+        return check(
+            symbols_differ,
+            {"nothing": []},
+            {"a new function": NEW_FUNCTION, "a lost function": LOST_FUNCTION},
+        )
     return 0
 
 

@@ -26,8 +26,11 @@ def complaints(shared: str, static: str, fortified: bool) -> list[str]:
     found = [name for name, pattern in wanted.items() if not re.search(pattern, shared)]
     if re.search(r"Machine:.*(X86-64|80386)", shared):
         objects = re.split(r"(?m)^File: ", static)[1:]
-        found += [f"CET in {text.splitlines()[0]}" for text in objects
-                  if not re.search(r"x86 feature:.*\bIBT, SHSTK\b", text)]
+        found += [
+            f"CET in {text.splitlines()[0]}"
+            for text in objects
+            if not re.search(r"x86 feature:.*\bIBT, SHSTK\b", text)
+        ]
         if not objects:
             found.append("an object in the static library")
     return found
@@ -44,31 +47,42 @@ def controls(shared: str, static: str, fortified: bool) -> dict[str, list[str]]:
     }
     if fortified:
         changes["no fortify"] = (r"_chk@", "@")
-    noticed = {name: complaints(re.sub(pattern, replacement, shared), static, fortified)
-               for name, (pattern, replacement) in changes.items()}
+    noticed = {
+        name: complaints(re.sub(pattern, replacement, shared), static, fortified)
+        for name, (pattern, replacement) in changes.items()
+    }
     if "x86 feature" in static:
         noticed["an object without CET"] = complaints(
-            shared, static.replace("IBT, SHSTK", "SHSTK", 1), fortified)
+            shared, static.replace("IBT, SHSTK", "SHSTK", 1), fortified
+        )
         noticed["no objects"] = complaints(shared, "", fortified)
     return noticed
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--readelf", default="readelf")
-    parser.add_argument("--no-fortify", action="store_true",
-                        help="compiled without optimisation, which fortify takes")
+    parser.add_argument(
+        "--no-fortify",
+        action="store_true",
+        help="compiled without optimisation, which fortify takes",
+    )
     parser.add_argument("shared")
     parser.add_argument("static")
     options = parser.parse_args()
 
     def readelf(*arguments: str) -> str:
-        return subprocess.run([options.readelf, "-W", *arguments], check=True,
-                              capture_output=True, text=True).stdout
+        return subprocess.run(
+            [options.readelf, "-W", *arguments], check=True, capture_output=True, text=True
+        ).stdout
 
-    texts = (readelf("-h", "-l", "-d", "--dyn-syms", options.shared),
-             readelf("-n", options.static), not options.no_fortify)
+    texts = (
+        readelf("-h", "-l", "-d", "--dyn-syms", options.shared),
+        readelf("-n", options.static),
+        not options.no_fortify,
+    )
     found = [f"there is not: {name}" for name in complaints(*texts)]
     found += [f"not noticed: {name}" for name, noticed in controls(*texts).items() if not noticed]
     print(*found, sep="\n")

@@ -26,8 +26,11 @@ def versions(file: str, text: str) -> set[str]:
 
 
 def complaints(version: str, texts: dict[str, str]) -> list[str]:
-    found = [f"{file}: the version is {given or 'missing'}, not {version}"
-             for file, text in texts.items() if (given := versions(file, text)) != {version}]
+    found = [
+        f"{file}: the version is {given or 'missing'}, not {version}"
+        for file, text in texts.items()
+        if (given := versions(file, text)) != {version}
+    ]
     for section in re.split(r"(?m)^## ", texts["NEWS.md"])[1:]:
         if not re.search(r"(?m)^ABI: \S", section):
             found.append(f"NEWS.md: no line on the ABI of {section.splitlines()[0]}")
@@ -39,11 +42,14 @@ def controls(version: str, texts: dict[str, str]) -> dict[str, list[str]]:
     changed = {}
     for file, text in texts.items():
         for match in re.finditer(PLACES[file], text):
-            other = text[:match.start(1)] + "7" + text[match.end(1):]
+            other = text[: match.start(1)] + "7" + text[match.end(1) :]
             changed[f"{match[0]!r} in {file}"] = complaints(version, {**texts, file: other})
     news = texts["NEWS.md"].replace("ABI:", "")
-    return {**changed, "another version": complaints("7.7.7", texts),
-            "news without an ABI": complaints(version, {**texts, "NEWS.md": news})}
+    return {
+        **changed,
+        "another version": complaints("7.7.7", texts),
+        "news without an ABI": complaints(version, {**texts, "NEWS.md": news}),
+    }
 
 
 def main() -> int:
@@ -53,11 +59,16 @@ def main() -> int:
     parser.add_argument("--version", required=True, help="that of the project")
     options = parser.parse_args()
 
-    texts = {file: ((options.build if file == "gcv.pc" else options.source) / file).read_text()
-             for file in PLACES}
+    texts = {
+        file: ((options.build if file == "gcv.pc" else options.source) / file).read_text()
+        for file in PLACES
+    }
     found = complaints(options.version, texts)
-    found += [f"not noticed: {name}"
-              for name, noticed in controls(options.version, texts).items() if not noticed]
+    found += [
+        f"not noticed: {name}"
+        for name, noticed in controls(options.version, texts).items()
+        if not noticed
+    ]
     print(*found, sep="\n")
     return 1 if found else 0
 
