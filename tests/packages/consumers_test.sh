@@ -35,14 +35,15 @@ by_pkg_config() {
   return 0
 }
 
-# by_cmake WAY CMAKE-ARGUMENTS
+# by_cmake WAY FOLDER CMAKE-ARGUMENTS
 by_cmake() {
-  local way=$1
-  shift
-  "$cmake" -S "$here" -B "$way" -DGCV_BY="$way" -DCMAKE_BUILD_TYPE=Debug "$@" > "$way.log"
-  "$cmake" --build "$way" --parallel "$(nproc)" >> "$way.log"
-  "$way/shared" || fail "$way: the program with the shared library fails"
-  "$way/static" || fail "$way: the program with the static library fails"
+  local way=$1 folder=$2
+  shift 2
+  rm -f "$folder/shared" "$folder/static"
+  "$cmake" -S "$here" -B "$folder" -DGCV_BY="$way" -DCMAKE_BUILD_TYPE=Debug "$@" > "$way.log"
+  "$cmake" --build "$folder" --parallel "$(nproc)" >> "$way.log"
+  "$folder/shared" || fail "$way: the program with the shared library fails"
+  "$folder/static" || fail "$way: the program with the static library fails"
 }
 
 # What bindings/c/README.md shows, by the flags and by the CMake project there.
@@ -71,19 +72,19 @@ grep -rI -e /usr/somewhere -e "$build" moved && fail "the installation names the
 libdir=$(find "$PWD/moved" -name libgcv.a -printf %h)
 by_pkg_config "$libdir"
 by_readme "$libdir"
-by_cmake find_package -DCMAKE_PREFIX_PATH="$PWD/moved"
+by_cmake find_package finding -DCMAKE_PREFIX_PATH="$PWD/moved"
 
-# A relative libdir of any depth ...
-by_cmake add_subdirectory -DGCV_SOURCE="$source" -DCMAKE_INSTALL_LIBDIR=lib/deep/down
-"$cmake" --install add_subdirectory --prefix "$PWD/deep" > install.log
+# As a part of the project, built once for both ways: with a relative libdir of any depth ...
+by_cmake add_subdirectory adding -DGCV_SOURCE="$source" -DCMAKE_INSTALL_LIBDIR=lib/deep/down
+"$cmake" --install adding --prefix "$PWD/deep" > install.log
 by_pkg_config "$PWD/deep/lib/deep/down"
 
-# ... and an absolute one, also below DESTDIR.
-by_cmake FetchContent -DGCV_SOURCE="$source" -DCMAKE_INSTALL_LIBDIR="$PWD/libraries" \
+# ... and with an absolute one, also below DESTDIR.
+by_cmake FetchContent adding -DGCV_SOURCE="$source" -DCMAKE_INSTALL_LIBDIR="$PWD/libraries" \
   -DCMAKE_INSTALL_PREFIX="$PWD/fetched"
-DESTDIR=$PWD/stage "$cmake" --install FetchContent > install.log
+DESTDIR=$PWD/stage "$cmake" --install adding > install.log
 [ -f "stage$PWD/libraries/libgcv.so" ] || fail "DESTDIR is not honoured"
 [ ! -e libraries ] || fail "DESTDIR is left"
-"$cmake" --install FetchContent > install.log
+"$cmake" --install adding > install.log
 by_pkg_config "$PWD/libraries"
-by_cmake find_package -Dgcv_DIR="$PWD/libraries/cmake/gcv"
+by_cmake find_package finding -Dgcv_DIR="$PWD/libraries/cmake/gcv"
