@@ -27,7 +27,7 @@ SYMBOLS = ROOT / "debian/libgcv0.symbols"
 
 COMPILER = os.environ.get("CXX", "c++")
 # fmt: off
-OPTIONS = ["-std=c++20", "-g", "-O0", "-fPIC", "-fvisibility=hidden", "-shared",
+OPTIONS = ["-std=c++20", "-w", "-g", "-O0", "-fPIC", "-fvisibility=hidden", "-shared",
            "-Dgcv_EXPORTS", "-Wl,-soname,libgcv.so.0"]
 ABIDW = ["abidw", "--drop-private-types", "--exported-interfaces-only", "--no-architecture",
          "--no-comp-dir-path", "--no-corpus-path", "--no-elf-needed", "--no-show-locs",

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * A program that was compiled with the first gcv.h, of version 0.1.0: it has the options of
- * then in 16 bytes, with memory of its own behind them.
+ * Programs that were compiled with an earlier gcv.h: the options of then, with memory of the
+ * program's own behind them. The first struct had 16 bytes, before any release; 0.1.0 has 40.
  */
 #include <string.h>
 
@@ -13,14 +13,17 @@ typedef struct first_options {
   double tolerance;
 } first_options;
 
+typedef struct options_0_1 {
+  first_options first;
+  int32_t threads;
+  int32_t (*progress)(void *context, uint64_t done, uint64_t estimate);
+  void *progress_context;
+} options_0_1;
+
 typedef struct frame {
   first_options options;
   unsigned char own[64];
 } frame;
-
-/* The version of the function that such a program is bound to. */
-__asm__(".symver first_options_init, gcv_options_init@GCV_0.1");
-void first_options_init(gcv_options *options);
 
 static frame frame_of(int32_t rounding) {
   frame made = {{sizeof(first_options), rounding, 0}, {0}};
@@ -59,15 +62,25 @@ static void first_struct(void) {
   gcv_polygon_destroy(square);
 }
 
-static void first_init(void) {
-  const frame expected = frame_of(GCV_ROUND_NEAREST);
-  frame made = frame_of(7);
-  first_options_init((gcv_options *)&made.options);
-  CHECK(memcmp(&made, &expected, sizeof made) == 0);
+/* The version of the function that a program of 0.1 is bound to writes a struct of 0.1. */
+__asm__(".symver options_init_0_1, gcv_options_init@GCV_0.1");
+void options_init_0_1(gcv_options *options);
+
+static void init_of_0_1(void) {
+  struct {
+    options_0_1 options;
+    unsigned char own[64];
+  } caller;
+  size_t k;
+  memset(&caller, 0xa5, sizeof caller);
+  options_init_0_1((gcv_options *)&caller.options);
+  CHECK(caller.options.first.struct_size == sizeof caller.options);
+  CHECK(caller.options.first.rounding == GCV_ROUND_NEAREST);
+  for (k = 0; k < sizeof caller.own; ++k) CHECK(caller.own[k] == 0xa5);
 }
 
 int main(void) {
   first_struct();
-  first_init();
+  init_of_0_1();
   return check_failures != 0;
 }
