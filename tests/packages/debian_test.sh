@@ -20,7 +20,7 @@ fail() {
 run() {
   local log=$scratch/$1.log
   shift
-  "$@" > "$log" 2>&1 || { cat "$log"; fail "this fails: $*"; }
+  "$@" > "$log" 2>&1 || { tail -n 100 "$log"; fail "this fails, see $log: $*"; }
 }
 
 # build FOLDER: the packages of what git tracks.
