@@ -22,7 +22,24 @@
 #include "wkt.hpp"
 
 struct gcv_polygon {
-  std::shared_ptr<const gcv::Polygon> polygon;
+  explicit gcv_polygon(std::shared_ptr<const gcv::Polygon> prepared)
+      : polygon(std::move(prepared)) {}
+
+  // Made for the first no-fit polygon that needs it, and kept: seen from outside, the
+  // polygon stays as it is.
+  [[nodiscard]] std::shared_ptr<const gcv::Polygon> reflected() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (reflected_ == nullptr) {
+      reflected_ = std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon));
+    }
+    return reflected_;
+  }
+
+  const std::shared_ptr<const gcv::Polygon> polygon;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const gcv::Polygon> reflected_;
 };
 
 struct gcv_outer_face {
@@ -47,7 +64,7 @@ using gcv::capi::require;
 
 gcv_polygon* new_polygon(const std::vector<Point>& boundary) {
   auto polygon = std::make_shared<const gcv::Polygon>(gcv::make_polygon(boundary, "polygon"));
-  return new gcv_polygon{std::move(polygon)};
+  return new gcv_polygon(std::move(polygon));
 }
 
 std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_t stride) {
@@ -178,7 +195,7 @@ gcv::Operand operand(const gcv_polygon* polygon, const char* name) {
 }
 
 gcv::Operand reflected_operand(const gcv_polygon* polygon, const char* name) {
-  return {std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon->polygon)), name};
+  return {polygon->reflected(), name};
 }
 
 // The pairs of gcv_minkowski_sum_many.

@@ -55,6 +55,9 @@ class ImplicitSuperset {
     NodeSectors sectors;
     Box box;
     Offsets offsets;  // of the points below the node
+    Point from;       // the ends of its chain, and how far it is from the segment between them
+    Point to;
+    double radius;
   };
 
   // The children of a node.
@@ -120,15 +123,12 @@ class ImplicitSuperset {
       const bool b_is_edge = superset.b_.boxes.is_edge(b.place);
       if (a_is_edge && b_is_edge) {
         visit(a.place.index, b.place.index);
-      } else if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
-        expand(superset.a_, a, b, [&](const Node& child) { descend(child, b); });
-      } else {
-        expand(superset.b_, b, a, [&](const Node& child) { descend(a, child); });
+        return;
       }
-    }
-
-    template <class Descend>
-    void expand(const Tree& tree, const Node& node, const Node& other, Descend descend_to) {
+      const bool expand_a = b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box));
+      const Tree& tree = expand_a ? superset.a_ : superset.b_;
+      const Node& node = expand_a ? a : b;
+      const Node& other = expand_a ? b : a;
       const std::uint32_t number = tree.boxes.block_below(node.place);
       const Block block{tree.boxes.blocks[number], tree.capsules[number]};
       const SectorBlock& sectors = tree.sectors[number];
@@ -140,10 +140,19 @@ class ImplicitSuperset {
         look.lanes &= ~(static_cast<unsigned>(!common) << k);
       }
       place.order(look, block, other, [&](std::uint32_t k) {
-        descend_to(Node{ChainTree::child(node.place, k),
-                        {sectors.edges[k], sectors.cones[k]},
-                        block.boxes.box(k),
-                        {look.lowest[k], look.highest[k]}});
+        const CapsuleBlock& capsules = block.capsules;
+        const Node child{ChainTree::child(node.place, k),
+                         {sectors.edges[k], sectors.cones[k]},
+                         block.boxes.box(k),
+                         {look.lowest[k], look.highest[k]},
+                         {capsules.x[k], capsules.y[k]},
+                         {capsules.x[k + 1], capsules.y[k + 1]},
+                         capsules.radius[k]};
+        if (expand_a) {
+          descend(child, b);
+        } else {
+          descend(a, child);
+        }
       });
     }
   };
@@ -153,7 +162,14 @@ class ImplicitSuperset {
   template <class Place>
   [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
     const Box& box = tree.boxes.box;
-    return {{0, 0}, {~Sectors{0}, ~Sectors{0}}, box, place.offsets(box)};
+    const Point end{tree.capsules.front().x[0], tree.capsules.front().y[0]};
+    return {{0, 0},
+            {~Sectors{0}, ~Sectors{0}},
+            box,
+            place.offsets(box),
+            end,
+            end,
+            length_bound(box.x1 - box.x0, box.y1 - box.y0)};
   }
   [[nodiscard]] std::vector<SectorBlock> node_sectors(const Polygon& polygon,
                                                       const std::vector<Rank>& ranks) const;

@@ -42,10 +42,23 @@ struct Lanes {
   friend Lanes operator-(const Lanes& p, const Lanes& q) {
     return {p.low - q.low, p.high - q.high};
   }
+  friend Lanes operator+(const Lanes& p, double x) { return {p.low + x, p.high + x}; }
+  friend Lanes operator*(const Lanes& p, const Lanes& q) {
+    return {p.low * q.low, p.high * q.high};
+  }
   friend Lanes operator*(double x, const Lanes& q) { return {x * q.low, x * q.high}; }
+  friend LaneMask operator<(const Lanes& p, const Lanes& q) {
+    return {p.low < q.low, p.high < q.high};
+  }
+  friend LaneMask operator>(const Lanes& p, const Lanes& q) {
+    return {p.low > q.low, p.high > q.high};
+  }
   friend LaneMask operator<(const Lanes& p, double x) { return {p.low < x, p.high < x}; }
   friend LaneMask operator>(const Lanes& p, double x) { return {p.low > x, p.high > x}; }
 
+  friend Lanes magnitude(const Lanes& p) {
+    return {p.low < 0 ? -p.low : p.low, p.high < 0 ? -p.high : p.high};
+  }
   friend Lanes smaller(const Lanes& p, const Lanes& q) {
     return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
   }

@@ -13,10 +13,19 @@ constexpr std::size_t few = 16;
 constexpr std::size_t many = 48;
 constexpr std::size_t too_many = 192;
 
+// Blocks that a search may look at before it gives up.
+constexpr int most_looks = 600;
+
 // How far the band goes to the left of the walk, beside how far it goes along.
 constexpr double depth = 0.25;
 
+// Pairs of vertices whose superset edges are just all collected.
+constexpr std::size_t few_pairs = 1024;
+constexpr std::size_t few_edges = 64;
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Box nowhere{0, 0, 0, 0};
+constexpr Box everywhere{-infinity, -infinity, infinity, infinity};
 
 // The mean size of the edges of both polygons.
 double mean_edge_size(const Operands& operands) {
@@ -44,8 +53,14 @@ class LocalSuperset::Band {
     return {dx_ * (dx_ > 0 ? box.y0 : box.y1) - dy_ * (dy_ > 0 ? box.x1 : box.x0), 0};
   }
 
+  [[nodiscard]] bool is_exhausted() const { return looks_ > most_looks; }
+
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
-            ImplicitSuperset::Look& look) const {
+            ImplicitSuperset::Look& look) {
+    if (++looks_ > most_looks) {
+      look.lanes = 0;
+      return;
+    }
     const CapsuleBlock& capsules = block.capsules;
     const Lanes from = dx_ * Lanes::load(capsules.y) - dy_ * Lanes::load(capsules.x);
     const Lanes to = dx_ * Lanes::load(capsules.y + 1) - dy_ * Lanes::load(capsules.x + 1);
@@ -69,13 +84,37 @@ class LocalSuperset::Band {
   double dy_;
   double length_;
   double leftmost_;
+  int looks_ = 0;
 };
 
 LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
     : superset_(superset),
       slack_(slack),
       reach_(4 * mean_edge_size(superset.operands())),
-      window_(nowhere) {}
+      window_(nowhere) {
+  const Operands& operands = superset.operands();
+  if (std::size_t{operands.a.size()} * operands.b.size() <= few_pairs) {
+    gather_all();
+  }
+}
+
+// The whole superset, where it is small; then no search is needed at all.
+void LocalSuperset::gather_all() {
+  const Operands& operands = superset_.operands();
+  for (Index i = 0; i < operands.a.size(); ++i) {
+    for (Index j = 0; j < operands.b.size(); ++j) {
+      superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, everywhere); });
+    }
+  }
+  if (edges_.size() > few_edges) {
+    clear();
+    return;
+  }
+  window_ = everywhere;
+  leftmost_ = infinity;
+  beyond_line_.resize(edges_.size());
+  beyond_end_.resize(edges_.size());
+}
 
 void LocalSuperset::clear() {
   edges_.clear();
@@ -127,7 +166,7 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
       superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
     }
   });
-  if (edges_.size() > too_many) {
+  if (edges_.size() > too_many || band.is_exhausted()) {
     clear();
     reach_ *= 0.25;
     return false;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "minkowski_sum.hpp"
 
+#include <cmath>
 #include <utility>
 
 #include "contributing_vertices.hpp"
 #include "directions.hpp"
+#include "error.hpp"
 #include "outer_face.hpp"
 #include "outward.hpp"
 
@@ -19,12 +21,35 @@ EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const 
           b_is_edge ? b.edge_number[source.b] : b.vertex_number[source.b]};
 }
 
+// The extreme coordinates of the sum are those of vertices of its outer face. Where one is
+// not finite, nor is a search in doubles of use: better to know before the walk.
+void check_extremes(const Operand& a, const Operand& b) {
+  const auto check = [&](const char* name, double x, double y) {
+    if (!std::isfinite(x + y)) {
+      throw Error(
+          Status::range,
+          "the %s coordinate of the outer face, the sum of %g of %s and %g of %s, is beyond "
+          "the largest double",
+          name, x, a.name, y, b.name);
+    }
+  };
+  const Box& box_a = a.polygon->bounds;
+  const Box& box_b = b.polygon->bounds;
+  check("smallest x", box_a.x0, box_b.x0);
+  check("largest x", box_a.x1, box_b.x1);
+  check("smallest y", box_a.y0, box_b.y0);
+  check("largest y", box_a.y1, box_b.y1);
+}
+
 }  // namespace
 
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
                         Task& task) {
   const Polygon& pa = *a.polygon;
   const Polygon& pb = *b.polygon;
+  if (shift == Point{0, 0}) {
+    check_extremes(a, b);
+  }
   OuterFace face;
   Tally& tally = face.counts.predicates;
   const Operands operands{pa, pb, merge_directions(pa, pb, tally)};

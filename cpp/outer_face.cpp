@@ -85,11 +85,14 @@ class Piece {
         offset_(s.dx * origin.y - s.dy * origin.x),
         tolerance_(offset_tolerance(s.dx, s.dy, slack)),
         slack_(slack),
-        from_(from) {
+        margin_(margin(slack)),
+        from_(from),
+        to_(to) {
     shorten(to);
   }
 
   void shorten(const Point& to) {
+    to_ = to;
     const Box box = box_of(from_, to);
     box_ = {box.x0 - slack_, box.y0 - slack_, box.x1 + slack_, box.y1 + slack_};
   }
@@ -119,6 +122,9 @@ class Piece {
     look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
                                            box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~apart;
+    if (look.lanes != 0 && other.radius == 0) {
+      look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();
+    }
   }
 
   // Those whose chains, as segments, cross the line of s earlier come first.
@@ -153,13 +159,60 @@ class Piece {
   }
 
  private:
+  // Twice the slack; infinite where the offset of a point from a chain can overflow.
+  static double margin(double slack) {
+    const double extents = 0x1p48 * slack;
+    return extents * extents <= std::numeric_limits<double>::max()
+               ? 2 * slack
+               : std::numeric_limits<double>::infinity();
+  }
+
+  // Lanes whose sums with the other node lie beside the piece, seen along their chains.
+  [[nodiscard]] LaneMask apart_along_chains(const CapsuleBlock& capsules,
+                                            const ImplicitSuperset::Node& other) const {
+    const Lanes x = Lanes::load(capsules.x);
+    const Lanes y = Lanes::load(capsules.y);
+    const Lanes dx = Lanes::load(capsules.x + 1) - x;
+    const Lanes dy = Lanes::load(capsules.y + 1) - y;
+    const auto offset = [&](const Point& p) { return p.y * dx - p.x * dy; };
+    const Lanes chain = dx * y - dy * x;
+    const Lanes first = offset(other.from);
+    const Lanes second = offset(other.to);
+    const Lanes begin = offset(from_) - chain;
+    const Lanes end = offset(to_) - chain;
+    const Lanes reach =
+        (Lanes::load(capsules.radius) + (other.radius + margin_)) * (magnitude(dx) + magnitude(dy));
+    return (larger(first, second) + reach < smaller(begin, end)) |
+           (smaller(first, second) - reach > larger(begin, end));
+  }
+
+  // The same, seen along the chain of the other node.
+  [[nodiscard]] LaneMask apart_along(const CapsuleBlock& capsules,
+                                     const ImplicitSuperset::Node& other) const {
+    const double dx = other.to.x - other.from.x;
+    const double dy = other.to.y - other.from.y;
+    const auto offset = [&](const Point& p) { return dx * p.y - dy * p.x; };
+    const double chain = offset(other.from);
+    const double begin = offset(from_) - chain;
+    const double end = offset(to_) - chain;
+    const Lanes first = dx * Lanes::load(capsules.y) - dy * Lanes::load(capsules.x);
+    const Lanes second = dx * Lanes::load(capsules.y + 1) - dy * Lanes::load(capsules.x + 1);
+    const double size = std::abs(dx) + std::abs(dy);
+    const Lanes reach = size * (Lanes::load(capsules.radius) + (other.radius + margin_)) +
+                        std::numeric_limits<double>::min();
+    return (larger(first, second) + reach < std::min(begin, end)) |
+           (smaller(first, second) - reach > std::max(begin, end));
+  }
+
   double dx_;
   double dy_;
   double length_;
   double offset_;  // of the line of s, from the relative origin
   double tolerance_;
   double slack_;
+  double margin_;  // infinite where an offset can overflow
   Point from_;
+  Point to_;
   Box box_{};
 };
 
@@ -352,14 +405,14 @@ class Walker {
   }
 
   // The same without the help of what is near the last steps. The first piece of s that is
-  // searched is about as long as the last of these steps were, each other one twice as long
+  // searched is about as long as the last of these steps were, each other one four times as long
   // as the one before.
   Step search_step(const Line& s, const Place& place, Point from, const Point& end) {
     const Point origin = relative(s.edge.i, s.edge.j);
     const double start = parameter_on(s, origin, from);
     const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
     double parameter = start;
-    double stride = std::max(0x1p-20, stride_ / size);  // also where those have overflowed
+    double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
     Step step;
     while (true) {
       const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
@@ -378,10 +431,10 @@ class Walker {
         break;
       }
       from = to;
-      stride *= 2;
+      stride *= 4;
     }
     const double way = (step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1) - start;
-    stride_ = std::max(2 * way * size, stride_ / 2);
+    stride_ = std::min(2 * way * size, 4 * stride_);
     return step;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "error.hpp"
@@ -142,15 +143,30 @@ void start_at_lexicographic_min(Chain& chain) {
   std::rotate(chain.edge.begin(), chain.edge.begin() + shift, chain.edge.end());
 }
 
+// A number that falls as the angle of (dx, dy) grows from 0 to half a turn, off by less than
+// key_tolerance / 2 where each coordinate was rounded once; NaN where it might be off by more.
+double direction_key(double dx, double dy) {
+  const double size = std::abs(dx) + std::abs(dy);
+  return size > 1e-290 && size < 1e300 ? dx / size : std::numeric_limits<double>::quiet_NaN();
+}
+constexpr double key_tolerance = 8 * std::numeric_limits<double>::epsilon();
+
 void sort_directions(Polygon& polygon, Tally& tally) {
   const Index n = polygon.size();
   polygon.upper.resize(n);
+  std::vector<double> keys(n);
   for (Index i = 0; i < n; ++i) {
     const Point& p = polygon.vertices[i];
     const Point& q = polygon.vertices[polygon.next(i)];
     polygon.upper[i] = p.y < q.y || (p.y == q.y && p.x < q.x);
+    keys[i] = polygon.upper[i] != 0 ? direction_key(q.x - p.x, q.y - p.y)
+                                    : direction_key(p.x - q.x, p.y - q.y);
   }
   const auto compare = [&](Index i, Index j) {
+    const double difference = keys[i] - keys[j];
+    if (std::abs(difference) > key_tolerance) {
+      return difference > 0 ? 1 : -1;
+    }
     const Index from_i = polygon.upper[i] != 0 ? i : polygon.next(i);
     const Index from_j = polygon.upper[j] != 0 ? j : polygon.next(j);
     const Index to_i = polygon.upper[i] != 0 ? polygon.next(i) : i;

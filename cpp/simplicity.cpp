@@ -177,9 +177,30 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
   return segments_meet(ring[e], ring[next(e)], ring[f], ring[next(f)], tally);
 }
 
+// Each edge with each later one: for a few edges, the fastest way.
+std::optional<Conflict> compare_all(std::span<const Point> ring) {
+  const std::size_t n = ring.size();
+  Tally tally;
+  for (std::size_t e = 0; e < n; ++e) {
+    const Box box = box_of(ring[e], ring[e + 1 == n ? 0 : e + 1]);
+    for (std::size_t f = e + 1; f < n; ++f) {
+      const Box other = box_of(ring[f], ring[f + 1 == n ? 0 : f + 1]);
+      const bool apart =
+          (other.x0 > box.x1) | (other.x1 < box.x0) | (other.y0 > box.y1) | (other.y1 < box.y0);
+      if (!apart && conflicting(ring, e, f, tally)) {
+        return Conflict{e, f};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
-std::optional<Conflict> find_conflict(std::span<const Point> ring) { return Sweep(ring).run(); }
+std::optional<Conflict> find_conflict(std::span<const Point> ring) {
+  constexpr std::size_t few = 32;
+  return ring.size() <= few ? compare_all(ring) : Sweep(ring).run();
+}
 
 bool is_counter_clockwise(std::span<const Point> ring) {
   const auto lowest = static_cast<std::size_t>(

@@ -49,11 +49,20 @@ static gcv_status outward_sum(void) {
   options.rounding = GCV_ROUND_OUTWARD;
   return gcv_minkowski_sum(fraction, polygon, &options, &new_face);
 }
+/* With a polygon of their own, which keeps its reflection to its end. */
 static gcv_status no_fit(void) {
-  return gcv_no_fit_polygon(polygon, polygon, point, NULL, &new_face);
+  gcv_polygon *moving = NULL;
+  gcv_status status = gcv_polygon_create(xy, 4, 0, &moving);
+  if (status == GCV_OK) status = gcv_no_fit_polygon(polygon, moving, point, NULL, &new_face);
+  gcv_polygon_destroy(moving);
+  return status;
 }
 static gcv_status entrance(void) {
-  return gcv_entrance_block(polygon, polygon, point, NULL, &new_face);
+  gcv_polygon *a = NULL;
+  gcv_status status = gcv_polygon_create(xy, 4, 0, &a);
+  if (status == GCV_OK) status = gcv_entrance_block(a, polygon, point, NULL, &new_face);
+  gcv_polygon_destroy(a);
+  return status;
 }
 static gcv_status exact_vertex(void) {
   return gcv_outer_face_exact_vertex(face, 0, text, sizeof text, &required);

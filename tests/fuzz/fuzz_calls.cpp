@@ -50,12 +50,12 @@ class Faults {
   std::vector<gcv_status> statuses_;
 };
 
-// Options of any size, rounding and tolerance, in just as much memory; or NULL.
+// Options of any size and with any values, in just as much memory; or NULL.
 class Options {
  public:
   Options(Input& input, Faults& faults) {
     const std::size_t size =
-        input.one_of<std::size_t>({16, 16, 16, 0, 4, 12, 15, 17, 24, 64, SIZE_MAX});
+        input.one_of<std::size_t>({16, 40, 40, 0, 4, 12, 15, 17, 24, 64, SIZE_MAX});
     if (size == SIZE_MAX) {
       return;
     }
@@ -64,11 +64,14 @@ class Options {
     options.struct_size = static_cast<std::uint32_t>(size);
     options.rounding = input.one_of<std::int32_t>({0, 1, 0, 1, 2, -1, INT32_MIN, INT32_MAX});
     options.tolerance = input.one_of({0.0, 0.0, -0.0, 0.0, 1e-300, -1.0, std::nan(""), HUGE_VAL});
+    options.threads = input.one_of<std::int32_t>({1, 1, 1, 0, 2, 3, -1, INT32_MIN});
     const auto unknown = static_cast<unsigned char>(input.below(2));
     bytes_.assign(std::max(size, sizeof options.struct_size), unknown);
     std::memcpy(bytes_.data(), &options, std::min(bytes_.size(), sizeof options));
-    faults.add_if(size < sizeof options || (size > sizeof options && unknown != 0) ||
-                      options.rounding < 0 || options.rounding > 1 || options.tolerance != 0,
+    const bool is_first = size == 16;  // the size of the first version
+    faults.add_if((!is_first && size < sizeof options) || (size > sizeof options && unknown != 0) ||
+                      options.rounding < 0 || options.rounding > 1 || options.tolerance != 0 ||
+                      (!is_first && options.threads < 0),
                   GCV_ERR_INVALID_ARGUMENT);
   }
 

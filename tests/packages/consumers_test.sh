@@ -9,6 +9,7 @@ source=$1
 build=$2
 scratch=$3
 here=$source/tests/packages/consumer
+program=$source/bindings/c/smoke.c
 cmake=${CMAKE:-cmake}
 pkg_config=${PKG_CONFIG:-pkg-config}
 cc=("${CC:-cc}" -std=c99 -Wall -Wextra -Werror)
@@ -26,11 +27,11 @@ by_pkg_config() {
   flags=$("$pkg_config" --cflags --libs gcv)
   static_flags=$("$pkg_config" --static --cflags --libs gcv)
   # Flags are separated by blanks, here and below.
-  "${cc[@]}" "$here/consumer.c" $flags -o dynamic
+  "${cc[@]}" "$program" $flags -o dynamic
   LD_LIBRARY_PATH=$1 ./dynamic || fail "the dynamic program fails"
-  "${cc[@]}" -static "$here/consumer.c" $static_flags -o static
+  "${cc[@]}" -static "$program" $static_flags -o static
   ./static || fail "the static program fails"
-  "${cc[@]}" "$here/consumer.c" -o bare 2> bare.log &&
+  "${cc[@]}" "$program" -o bare 2> bare.log &&
     fail "the program compiles without the flags"
   return 0
 }
@@ -46,20 +47,6 @@ by_cmake() {
   "$folder/static" || fail "$way: the program with the static library fails"
 }
 
-# What bindings/c/README.md shows, by the flags and by the CMake project there.
-by_readme() {
-  local readme=$source/bindings/c/README.md flags
-  mkdir readme
-  sed -n '/^```c$/,/^```$/p' "$readme" | sed '1d;$d' > readme/sum.c
-  sed -n '/^```cmake$/,/^```$/p' "$readme" | sed '1d;$d' > readme/CMakeLists.txt
-  flags=$("$pkg_config" --cflags --libs gcv)
-  "${cc[@]}" readme/sum.c $flags -o readme/dynamic
-  [ "$(LD_LIBRARY_PATH=$1 readme/dynamic)" = "area 9" ] || fail "README: the program fails"
-  "$cmake" -S readme -B readme/build -DCMAKE_PREFIX_PATH="$PWD/moved" > readme.log
-  "$cmake" --build readme/build >> readme.log
-  [ "$(readme/build/sum)" = "area 9" ] || fail "README: the project fails"
-}
-
 rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch"
@@ -71,7 +58,6 @@ grep -rI -e /usr/somewhere -e "$build" moved && fail "the installation names the
 [ -f moved/share/doc/gcv/LICENSE ] || fail "the licence is not installed"
 libdir=$(find "$PWD/moved" -name libgcv.a -printf %h)
 by_pkg_config "$libdir"
-by_readme "$libdir"
 by_cmake find_package finding -DCMAKE_PREFIX_PATH="$PWD/moved"
 
 # As a part of the project, built once for both ways: with a relative libdir of any depth ...

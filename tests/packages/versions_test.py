@@ -13,7 +13,7 @@ PLACES = {
     "bindings/python/pyproject.toml": r'(?m)^version = "(.*)"',
     "bindings/rust/Cargo.lock": r'name = "gcv(?:-sys)?"\nversion = "(.*)"',
     "bindings/rust/gcv-sys/Cargo.toml": r'(?m)^version = "(.*)"',
-    "bindings/rust/gcv/Cargo.toml": r'(?m)(?:^|\{ )version = "(.*?)"',
+    "bindings/rust/gcv/Cargo.toml": r'(?m)^(?:gcv-sys = \{ )?version = "(.*?)"',
     "debian/changelog": r"\Agcv \((.*)-[^-]*\) ",
     "gcv.pc": r"(?m)^Version: (.*)$",
 }

@@ -5,10 +5,12 @@
 Every coordinate is a finite float and stands for exactly that number; nothing is
 rounded but the coordinates that are handed back as floats, each once. Polygons and
 outer faces never change, so any number of threads may share them; the work is done
-outside Python's global lock.
+outside Python's global lock. They can be pickled, and travel to other processes.
 """
 
-from ._api import (
+from ._call import Progress, Rounding
+from ._ffi import Error, InputError
+from ._shapes import (
     EDGE_CORNER,
     EDGE_TRANSLATED,
     EDGE_TRANSLATED_CORNER,
@@ -16,14 +18,17 @@ from ._api import (
     OuterFace,
     Polygon,
     PolygonLike,
+    Stats,
+)
+from ._sums import (
     SupersetEdge,
     entrance_block,
     library_version,
     minkowski_sum,
+    minkowski_sum_many,
     no_fit_polygon,
     superset,
 )
-from ._ffi import Error, InputError
 
 __all__ = [
     "EDGE_CORNER",
@@ -35,10 +40,14 @@ __all__ = [
     "OuterFace",
     "Polygon",
     "PolygonLike",
+    "Progress",
+    "Rounding",
+    "Stats",
     "SupersetEdge",
     "entrance_block",
     "library_version",
     "minkowski_sum",
+    "minkowski_sum_many",
     "no_fit_polygon",
     "superset",
 ]

@@ -1,10 +1,11 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The functions of gcv.h, each without its prefix, raising where it fails."""
+"""All of gcv.h: its functions, without their prefix and raising where they fail."""
 
 from __future__ import annotations
 
 from ctypes import (
+    CFUNCTYPE,
     POINTER,
     Array,
     Structure,
@@ -14,25 +15,37 @@ from ctypes import (
     c_int32,
     c_size_t,
     c_uint32,
+    c_uint64,
     c_void_p,
+    sizeof,
 )
 from typing import Any, Callable, ClassVar, NoReturn
 
 from ._loader import load
 
-_lib = load()
+_library = load()
 
-version_string = _lib.gcv_version_string
-version_string.argtypes = ()
-version_string.restype = c_char_p
+FUNCTIONS: dict[str, Any] = {}
+"""Every function of the library that is declared here, by its name in C."""
 
-_status_name = _lib.gcv_status_name
-_status_name.argtypes = (c_int32,)
-_status_name.restype = c_char_p
 
-_last_error_message = _lib.gcv_last_error_message
-_last_error_message.argtypes = ()
-_last_error_message.restype = c_char_p
+def _declare(name: str, restype: Any, *argtypes: Any) -> Any:
+    function = getattr(_library, name)
+    function.argtypes = argtypes
+    function.restype = restype
+    FUNCTIONS[name] = function
+    return function
+
+
+# ----------------------------------------------------------------- status --
+
+NOT_FINITE = 3
+ROUNDINGS = {"nearest": 0, "outward": 1}
+
+version_number = _declare("gcv_version_number", c_uint32)
+version_string = _declare("gcv_version_string", c_char_p)
+_status_name = _declare("gcv_status_name", c_char_p, c_int32)
+_last_error_message = _declare("gcv_last_error_message", c_char_p)
 
 
 class Error(Exception):
@@ -65,18 +78,37 @@ class InputError(Error, ValueError):
 
 _INPUT_STATUSES = {
     2,  # GCV_ERR_INVALID_ARGUMENT
-    3,  # GCV_ERR_NOT_FINITE
+    NOT_FINITE,
     4,  # GCV_ERR_DEGENERATE
     5,  # GCV_ERR_NOT_SIMPLE
     8,  # GCV_ERR_PARSE
 }
 
 
+def error(status: int, message: str) -> Error:
+    """The exception for a status other than 0."""
+    return (InputError if status in _INPUT_STATUSES else Error)(status, message)
+
+
+def last_error_message() -> str:
+    """What the last failure on this thread was about."""
+    message: bytes = _last_error_message()
+    return message.decode(errors="replace")
+
+
 def _check(status: int, _function: object, _arguments: object) -> int:
     if status != 0:
-        message = _last_error_message().decode(errors="replace")
-        raise (InputError if status in _INPUT_STATUSES else Error)(status, message)
+        raise error(status, last_error_message())
     return status
+
+
+def _function(name: str, *argtypes: Any) -> Any:
+    function = _declare(name, c_int32, *argtypes)
+    function.errcheck = _check
+    return function
+
+
+# ---------------------------------------------------------------- handles --
 
 
 class _Handle(c_void_p):
@@ -88,30 +120,37 @@ class _Handle(c_void_p):
         self._destroy(self)
 
     def __reduce__(self) -> NoReturn:
-        raise TypeError("objects of libgcv cannot be pickled, nor copied in depth")
-
-
-def _destroyer(name: str) -> Any:
-    function = getattr(_lib, name)
-    function.argtypes = (c_void_p,)
-    function.restype = None
-    return function
+        raise TypeError("handles of libgcv cannot be pickled or copied")
 
 
 class Polygon(_Handle):
-    _destroy = _destroyer("gcv_polygon_destroy")
+    _destroy = _declare("gcv_polygon_destroy", None, c_void_p)
 
 
 class OuterFace(_Handle):
-    _destroy = _destroyer("gcv_outer_face_destroy")
+    _destroy = _declare("gcv_outer_face_destroy", None, c_void_p)
 
 
 class Superset(_Handle):
-    _destroy = _destroyer("gcv_superset_destroy")
+    _destroy = _declare("gcv_superset_destroy", None, c_void_p)
 
+
+# ---------------------------------------------------------------- structs --
 
 Point = c_double * 2
 Box = c_double * 4
+Progress = CFUNCTYPE(c_int32, c_void_p, c_uint64, c_uint64)
+
+
+class Options(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("rounding", c_int32),
+        ("tolerance", c_double),
+        ("threads", c_int32),
+        ("progress", Progress),
+        ("progress_context", c_void_p),
+    )
 
 
 class EdgeSource(Structure):
@@ -128,20 +167,31 @@ class SupersetEdge(Structure):
     )
 
 
-def _function(name: str, *argtypes: Any) -> Any:
-    function = getattr(_lib, name)
-    function.argtypes = argtypes
-    function.restype = c_int32
-    function.errcheck = _check
-    return function
+class Stats(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("walk_steps", c_uint64),
+        ("candidate_edges", c_uint64),
+        ("predicates_filtered", c_uint64),
+        ("predicates_fixed_width", c_uint64),
+        ("predicates_rational", c_uint64),
+        ("vertices_repaired", c_uint64),
+    )
 
+
+def sized(struct: Any, **fields: Any) -> Any:
+    """A struct that begins with its own size."""
+    return struct(struct_size=sizeof(struct), **fields)
+
+
+# -------------------------------------------------------------- functions --
 
 _double = POINTER(c_double)
 _size = POINTER(c_size_t)
 _buffer = (c_void_p, c_size_t, _size)
+_options = POINTER(Options)
 _polygon = POINTER(Polygon)
 _face = POINTER(OuterFace)
-_options = c_void_p
 
 polygon_create = _function("gcv_polygon_create", c_void_p, c_size_t, c_size_t, _polygon)
 polygon_create_wkt = _function("gcv_polygon_create_wkt", c_char_p, c_size_t, _polygon)
@@ -150,7 +200,14 @@ polygon_vertices = _function("gcv_polygon_vertices", Polygon, *_buffer)
 polygon_area = _function("gcv_polygon_area", Polygon, _double)
 polygon_bounds = _function("gcv_polygon_bounds", Polygon, _double)
 
+options_init = _declare("gcv_options_init", None, _options)
+
 minkowski_sum = _function("gcv_minkowski_sum", Polygon, Polygon, _options, _face)
+minkowski_sum_many = _function(
+    "gcv_minkowski_sum_many",
+    *(POINTER(c_void_p), POINTER(c_void_p), c_size_t, _options),
+    *(POINTER(c_void_p), POINTER(c_int32)),
+)
 no_fit_polygon = _function("gcv_no_fit_polygon", Polygon, Polygon, _double, _options, _face)
 entrance_block = _function("gcv_entrance_block", Polygon, Polygon, _double, _options, _face)
 
@@ -163,12 +220,13 @@ outer_face_error_bound = _function("gcv_outer_face_error_bound", OuterFace, _dou
 outer_face_area = _function("gcv_outer_face_area", OuterFace, _double)
 outer_face_wkt = _function("gcv_outer_face_wkt", OuterFace, *_buffer)
 outer_face_polygon = _function("gcv_outer_face_polygon", OuterFace, _polygon)
+outer_face_stats = _function("gcv_outer_face_stats", OuterFace, POINTER(Stats))
 
 superset_create = _function("gcv_superset_create", Polygon, Polygon, POINTER(Superset))
 superset_edges = _function("gcv_superset_edges", Superset, *_buffer)
 
 
-def value(function: Callable[..., int], kind: Any, handle: _Handle) -> Any:
+def value(function: Callable[..., int], kind: Any, handle: Any) -> Any:
     """What a function with one output of the given ctypes type gives."""
     out = kind()
     function(handle, byref(out))

@@ -3,7 +3,7 @@
 
 //! The C interface of libgcv as it is in gcv.h, which documents everything here.
 //!
-//! Statuses and kinds are integers, as later versions of the library may add some.
+//! Statuses are integers, as later versions of the library may add some.
 //! Programs in Rust have the crate `gcv` to use instead.
 
 #![allow(non_camel_case_types)]

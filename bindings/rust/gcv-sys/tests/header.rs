@@ -1,8 +1,10 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-//! The declarations against the header of the source tree, by the C compiler.
+//! The declarations against the header and the version script, by the C compiler where
+//! it is about types.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::io::Write as _;
 use std::mem::{size_of, MaybeUninit};
@@ -10,12 +12,38 @@ use std::process::{Command, Stdio};
 
 use gcv_sys::*;
 
-const INCLUDE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../capi/include");
-const HEADER: &str = include_str!("../../../../capi/include/gcv/gcv.h");
+const INCLUDE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/libgcv/capi/include");
+const HEADER: &str = include_str!("../libgcv/capi/include/gcv/gcv.h");
+const MAP: &str = include_str!("../libgcv/capi/gcv.map");
+const DECLARATIONS: &str = include_str!("../src/lib.rs");
 
-/// Adds what must hold of a struct in C: its size and the place of each field.
+/// Whether the C compiler takes what is added to the header.
+fn compiles(c: &str) -> bool {
+    let mut compiler = Command::new("cc")
+        .args([
+            "-std=c11",
+            "-Werror",
+            "-fsyntax-only",
+            "-x",
+            "c",
+            "-",
+            "-I",
+            INCLUDE,
+        ])
+        .stdin(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let mut input = compiler.stdin.take().unwrap();
+    write!(input, "#include <gcv/gcv.h>\n{c}").unwrap();
+    drop(input);
+    compiler.wait().unwrap().success()
+}
+
+/// Adds what must hold of a struct in C: its size and the place of each field. The
+/// pattern, with every field and no other, is not taken by rustc if one is left out.
 macro_rules! layout {
     ($c:ident, $name:ident: $($field:ident)*) => {
+        let _ = |$name { $($field: _),* }: $name| ();
         let size = size_of::<$name>();
         writeln!($c, "_Static_assert(sizeof({}) == {size}, \"\");", stringify!($name)).unwrap();
         $(
@@ -29,51 +57,99 @@ macro_rules! layout {
     };
 }
 
-/// Adds what must hold of constants in C: their values.
-macro_rules! values {
-    ($c:ident, $($name:ident)*) => {
-        $(writeln!($c, "_Static_assert({} == {}, \"\");", stringify!($name), $name).unwrap();)*
-    };
-}
-
 #[test]
-fn layouts_and_values() {
-    let mut c = String::from("#include <gcv/gcv.h>\n");
-    layout!(c, gcv_status:);
+fn layouts() {
+    let mut c = String::new();
     layout!(c, gcv_options: struct_size rounding tolerance threads progress progress_context);
     layout!(c, gcv_edge_source: kind a b);
     layout!(c, gcv_stats: struct_size walk_steps candidate_edges predicates_filtered
         predicates_fixed_width predicates_rational vertices_repaired);
     layout!(c, gcv_superset_edge: x0 y0 x1 y1 source);
-    values!(c, GCV_OK GCV_ERR_NULL_ARGUMENT GCV_ERR_INVALID_ARGUMENT GCV_ERR_NOT_FINITE
-        GCV_ERR_DEGENERATE GCV_ERR_NOT_SIMPLE GCV_ERR_BUFFER_TOO_SMALL GCV_ERR_RANGE
-        GCV_ERR_PARSE GCV_ERR_NO_MEMORY GCV_ERR_CANCELLED GCV_ERR_INTERNAL
-        GCV_ROUND_NEAREST GCV_ROUND_OUTWARD
-        GCV_EDGE_TRANSLATED GCV_EDGE_CORNER GCV_EDGE_TRANSLATED_CORNER);
+    assert!(compiles(&c));
 
-    let mut compiler = Command::new("cc")
-        .args(["-std=c11", "-fsyntax-only", "-x", "c", "-", "-I", INCLUDE])
-        .stdin(Stdio::piped())
-        .spawn()
-        .unwrap();
-    let mut input = compiler.stdin.take().unwrap();
-    input.write_all(c.as_bytes()).unwrap();
-    drop(input);
-    assert!(compiler.wait().unwrap().success());
+    let public = DECLARATIONS.matches("pub struct ").count();
+    let opaque = DECLARATIONS.matches("marker: Opaque").count();
+    assert_eq!(public - opaque, c.matches("sizeof").count());
+}
+
+/// The names and what follows them, up to `end`, of the lines that begin with `begin`.
+fn names<'t>(text: &'t str, begin: &str, separator: &str, end: char) -> BTreeMap<&'t str, &'t str> {
+    text.lines()
+        .filter_map(|line| line.strip_prefix(begin)?.split_once(separator))
+        .map(|(name, rest)| (name, rest.trim_end_matches(end)))
+        .collect()
 }
 
 #[test]
-fn every_function_is_declared() {
-    let declarations = include_str!("../src/lib.rs");
-    let prototypes: Vec<&str> = HEADER
-        .split("\nGCV_API ")
-        .skip(1)
-        .map(|rest| rest.split('(').next().unwrap())
-        .map(|head| &head[head.find("gcv_").unwrap()..])
+fn constants() {
+    let declared: BTreeMap<_, _> = names(DECLARATIONS, "pub const ", ": ", ';')
+        .into_iter()
+        .map(|(name, rest)| (name, rest.split_once(" = ").unwrap().1))
         .collect();
-    assert_eq!(prototypes.len(), declarations.matches("pub fn ").count());
-    for prototype in prototypes {
-        let name = prototype.rsplit([' ', '*']).next().unwrap();
-        assert!(declarations.contains(&format!("pub fn {name}(")), "{name}");
+    assert!(declared.contains_key("GCV_OK"));
+    assert_eq!(declared, names(HEADER, "  ", " = ", ','));
+}
+
+/// A type of Rust in C.
+fn in_c(rust: &str) -> String {
+    if let Some(target) = rust.strip_prefix("*const ") {
+        return in_c(target) + " const *";
     }
+    if let Some(target) = rust.strip_prefix("*mut ") {
+        return in_c(target) + " *";
+    }
+    match rust {
+        "u32" => "uint32_t",
+        "usize" => "size_t",
+        "f64" => "double",
+        "c_char" => "char",
+        name => name,
+    }
+    .into()
+}
+
+/// Every function of the crate as a prototype of C.
+fn prototypes() -> BTreeMap<&'static str, String> {
+    let (_, functions) = DECLARATIONS.split_once("extern \"C\" {").unwrap();
+    let prototype = |function: &'static str| {
+        let (name, rest) = function.split_once('(').unwrap();
+        let (parameters, rest) = rest.split_once(')').unwrap();
+        let result = rest.split(';').next().unwrap().strip_prefix(" -> ");
+        let types: Vec<_> = parameters
+            .split(',')
+            .filter_map(|parameter| parameter.split_once(": "))
+            .map(|(_, rust)| in_c(rust))
+            .collect();
+        let types = if types.is_empty() {
+            "void".into()
+        } else {
+            types.join(", ")
+        };
+        let result = result.map_or("void".into(), in_c);
+        (name, format!("{result} {name}({types});\n"))
+    };
+    functions.split("pub fn ").skip(1).map(prototype).collect()
+}
+
+#[test]
+fn functions_have_the_types_of_the_header() {
+    let prototypes = prototypes();
+    assert!(compiles(&prototypes.values().cloned().collect::<String>()));
+    let wrong = prototypes["gcv_polygon_area"].replace("double", "float");
+    assert!(!compiles(&wrong));
+}
+
+#[test]
+fn functions_are_those_of_the_version_script() {
+    let (_, rest) = MAP.split_once("global:").unwrap();
+    let mut exported: Vec<_> = rest
+        .split_once("local:")
+        .unwrap()
+        .0
+        .split(';')
+        .map(str::trim)
+        .collect();
+    exported.retain(|name| !name.is_empty());
+    exported.sort_unstable();
+    assert_eq!(exported, prototypes().into_keys().collect::<Vec<_>>());
 }

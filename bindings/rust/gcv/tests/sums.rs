@@ -3,9 +3,10 @@
 
 //! Known results through the whole interface.
 
-use gcv::edge::*;
 use gcv::status::*;
-use gcv::{entrance_block, minkowski_sum, no_fit_polygon, EdgeSource, OuterFace, Polygon};
+use gcv::EdgeSource::*;
+use gcv::{entrance_block, minkowski_sum, no_fit_polygon, superset};
+use gcv::{Error, Options, OuterFace, Polygon, SupersetEdge};
 
 const SQUARE: [[f64; 2]; 4] = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]];
 const SQUARE_2: [[f64; 2]; 4] = [[0., 0.], [2., 0.], [2., 2.], [0., 2.]];
@@ -25,6 +26,10 @@ fn polygon(vertices: &[[f64; 2]]) -> Polygon {
     Polygon::new(vertices).unwrap()
 }
 
+fn sum(a: &Polygon, b: &Polygon) -> Result<OuterFace, Error> {
+    minkowski_sum(a, b, &Options::new())
+}
+
 #[test]
 fn polygon_properties() {
     let polygon = polygon(&[[2., 0.], [2., 1.], [0., 1.], [0., 0.], [1., 0.], [2., 0.]]);
@@ -32,63 +37,123 @@ fn polygon_properties() {
     assert_eq!(polygon.vertices(), vertices);
     assert_eq!(polygon.area(), Ok(2.));
     assert_eq!(polygon.bounds(), [0., 0., 2., 1.]);
+    let debug = "Polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])";
+    assert_eq!(format!("{polygon:?}"), debug);
 }
 
 #[test]
 fn squares() {
-    let face = minkowski_sum(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
+    let face = sum(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
     assert_eq!(face.vertices(), SQUARE_3);
     let exact = ["0/1 0/1", "3/1 0/1", "3/1 3/1", "0/1 3/1"];
     assert_eq!(face.exact_vertices(), exact);
     assert_eq!(face.area(), Ok(9.));
     assert_eq!(face.error_bound(), 0.);
     assert_eq!(face.wkt(), "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
+    let debug = "OuterFace([[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [0.0, 3.0]])";
+    assert_eq!(format!("{face:?}"), debug);
     let again = Polygon::from_wkt(&face.wkt()).unwrap();
     assert_eq!(again.vertices(), SQUARE_3);
 }
 
 #[test]
 fn polygon_outlives_its_face() {
-    let face = minkowski_sum(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
+    let face = sum(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
     let polygon = face.polygon().unwrap();
     drop(face);
-    let face = minkowski_sum(&polygon, &polygon).unwrap();
+    let face = sum(&polygon, &polygon).unwrap();
     assert_eq!(face.area(), Ok(36.));
 }
 
 #[test]
 fn fractions_and_sources() {
-    let face = minkowski_sum(&polygon(&NOTCHED), &polygon(&TRIANGLE)).unwrap();
+    let face = sum(&polygon(&NOTCHED), &polygon(&TRIANGLE)).unwrap();
     let exact = face.exact_vertices();
     assert_eq!(exact.len(), 7);
     assert_eq!(exact[4], "10/3 7/3");
     assert_eq!(face.vertices()[4], [10. / 3., 7. / 3.]);
     assert!(0. < face.error_bound() && face.error_bound() < 1e-15);
     let expected = [
-        (GCV_EDGE_TRANSLATED_CORNER, 0, 0),
-        (GCV_EDGE_TRANSLATED, 1, 1),
-        (GCV_EDGE_CORNER, 2, 1),
-        (GCV_EDGE_TRANSLATED, 2, 2),
-        (GCV_EDGE_TRANSLATED, 3, 1),
-        (GCV_EDGE_CORNER, 4, 1),
-        (GCV_EDGE_TRANSLATED_CORNER, 4, 2),
+        TranslatedCorner {
+            edge_a: 0,
+            edge_b: 0,
+        },
+        Translated {
+            edge_a: 1,
+            vertex_b: 1,
+        },
+        Corner {
+            vertex_a: 2,
+            edge_b: 1,
+        },
+        Translated {
+            edge_a: 2,
+            vertex_b: 2,
+        },
+        Translated {
+            edge_a: 3,
+            vertex_b: 1,
+        },
+        Corner {
+            vertex_a: 4,
+            edge_b: 1,
+        },
+        TranslatedCorner {
+            edge_a: 4,
+            edge_b: 2,
+        },
     ];
-    assert_eq!(
-        face.sources(),
-        expected.map(|(kind, a, b)| EdgeSource { kind, a, b })
-    );
+    assert_eq!(face.sources(), expected);
+}
+
+#[test]
+fn stats() {
+    let stats = sum(&polygon(&NOTCHED), &polygon(&TRIANGLE))
+        .unwrap()
+        .stats();
+    assert!(stats.walk_steps >= 7 && stats.candidate_edges >= stats.walk_steps);
+    assert!(stats.predicates_filtered > 0);
+    assert_eq!(stats.vertices_repaired, 0);
+}
+
+#[test]
+fn edges_of_the_superset() {
+    let edges = superset(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
+    let expected = SupersetEdge {
+        from: [0., 0.],
+        to: [3., 0.],
+        source: TranslatedCorner {
+            edge_a: 0,
+            edge_b: 0,
+        },
+    };
+    assert!(edges.contains(&expected), "{edges:?}");
+    let huge = polygon(&SQUARE.map(|[x, y]| [1e308 * x, 1e308 * y]));
+    assert_eq!(superset(&huge, &huge).unwrap_err().status, GCV_ERR_RANGE);
 }
 
 #[test]
 fn no_fit() {
-    let face = no_fit_polygon(&polygon(&U_SHAPE), &polygon(&SQUARE), [0., 0.]).unwrap();
+    let face = no_fit_polygon(
+        &polygon(&U_SHAPE),
+        &polygon(&SQUARE),
+        [0., 0.],
+        &Options::new(),
+    )
+    .unwrap();
     assert_eq!(face.vertices(), U_NO_FIT);
     assert_eq!(face.area(), Ok(45.));
 }
 
 #[test]
 fn entrance() {
-    let face = entrance_block(&polygon(&SQUARE), &polygon(&U_SHAPE), [1., -2.]).unwrap();
+    let face = entrance_block(
+        &polygon(&SQUARE),
+        &polygon(&U_SHAPE),
+        [1., -2.],
+        &Options::new(),
+    )
+    .unwrap();
     assert_eq!(face.vertices(), U_NO_FIT.map(|[x, y]| [x + 1., y - 2.]));
 }
 
@@ -107,14 +172,14 @@ fn refused() {
     assert!(!error.to_string().is_empty());
 
     let square = polygon(&SQUARE);
-    let error = no_fit_polygon(&square, &square, [f64::NAN, 0.]).unwrap_err();
+    let error = no_fit_polygon(&square, &square, [f64::NAN, 0.], &Options::new()).unwrap_err();
     assert_eq!(error.status, GCV_ERR_NOT_FINITE);
 }
 
 #[test]
 fn out_of_range() {
     let huge = polygon(&SQUARE.map(|[x, y]| [1e308 * x, 1e308 * y]));
-    let error = minkowski_sum(&huge, &huge).unwrap_err();
+    let error = sum(&huge, &huge).unwrap_err();
     assert_eq!(error.status, GCV_ERR_RANGE);
     assert_eq!(huge.area().unwrap_err().status, GCV_ERR_RANGE);
 }
@@ -123,12 +188,13 @@ fn out_of_range() {
 fn threads() {
     fn shareable<T: Send + Sync>() {}
     shareable::<OuterFace>();
+    shareable::<Options>();
 
     let (a, b) = (polygon(&NOTCHED), polygon(&TRIANGLE));
-    let sum = || minkowski_sum(&a, &b).unwrap().wkt();
-    let expected = sum();
+    let wkt = || sum(&a, &b).unwrap().wkt();
+    let expected = wkt();
     std::thread::scope(|scope| {
-        for thread in [scope.spawn(sum), scope.spawn(sum)] {
+        for thread in [scope.spawn(wkt), scope.spawn(wkt)] {
             assert_eq!(thread.join().unwrap(), expected);
         }
     });

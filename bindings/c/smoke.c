@@ -1,5 +1,5 @@
 /*
- * A program of somebody else: known results from libgcv, wherever it comes from.
+ * Known results from an installed libgcv.
  *
  * Copyright (C) 2026 The libgcv authors
  * SPDX-License-Identifier: LGPL-3.0-or-later
@@ -10,7 +10,7 @@
 /* Says what went wrong if a condition does not hold; gives 1 then, else 0. */
 static int wrong(int condition, const char *what) {
   if (condition) return 0;
-  fprintf(stderr, "consumer: %s; last error: \"%s\"\n", what, gcv_last_error_message());
+  fprintf(stderr, "smoke: %s; last error: \"%s\"\n", what, gcv_last_error_message());
   return 1;
 }
 

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// gcv_compare [--quick] [--rounds N] [--limit SECONDS] [--sets NAME,...]
+//             [--systems NAME,...]
+//
+// Measures all systems on the pairs of the sets, side by side: in every round each system
+// runs once on the pair, in a process of its own. Writes one line of JSON for each pair.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "measure.hpp"
+#include "polygon.hpp"
+#include "sets.hpp"
+
+namespace gcv::bench {
+
+namespace {
+
+constexpr double once_is_enough = 2;  // seconds: a run as long as that has one round
+
+struct Options {
+  bool quick = false;
+  int rounds = 5;
+  double limit = 60;
+  std::vector<std::string> sets;     // all, if none are named
+  std::vector<std::string> systems;  // likewise
+};
+
+std::vector<std::string> split(const std::string& text) {
+  std::vector<std::string> names;
+  std::istringstream stream(text);
+  for (std::string name; std::getline(stream, name, ',');) {
+    names.push_back(name);
+  }
+  return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+Options parse(const std::vector<std::string>& arguments) {
+  Options options;
+  for (std::size_t k = 0; k < arguments.size(); ++k) {
+    const auto value = [&] { return arguments.at(++k); };
+    if (arguments[k] == "--quick") {
+      options.quick = true;
+    } else if (arguments[k] == "--rounds") {
+      options.rounds = std::stoi(value());
+    } else if (arguments[k] == "--limit") {
+      options.limit = std::stod(value());
+    } else if (arguments[k] == "--sets") {
+      options.sets = split(value());
+    } else if (arguments[k] == "--systems") {
+      options.systems = split(value());
+    } else {
+      throw std::invalid_argument("unknown argument: " + arguments[k]);
+    }
+  }
+  return options;
+}
+
+// What every system is given: counter-clockwise, not closed, no vertex repeated in a row.
+Ring tidy(const Ring& ring) {
+  Ring result;
+  for (const Point& p : ring) {
+    if (result.empty() || !(p == result.back())) {
+      result.push_back(p);
+    }
+  }
+  while (result.size() > 1 && result.back() == result.front()) {
+    result.pop_back();
+  }
+  double twice_area = 0;
+  for (std::size_t k = 1; k + 1 < result.size(); ++k) {
+    const Point& o = result[0];
+    twice_area += (result[k].x - o.x) * (result[k + 1].y - o.y) -
+                  (result[k].y - o.y) * (result[k + 1].x - o.x);
+  }
+  if (twice_area < 0) {
+    std::reverse(result.begin(), result.end());
+  }
+  return result;
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      result += '\\';
+    }
+    result += c;
+  }
+  return result + '"';
+}
+
+std::string described(const Ring& ring) {
+  const Polygon polygon = make_polygon(ring, "polygon");
+  const auto reflex = std::count(polygon.convex.begin(), polygon.convex.end(), 0);
+  return "{\"vertices\": " + std::to_string(ring.size()) +
+         ", \"reflex\": " + std::to_string(reflex) + "}";
+}
+
+// All measurements of one system on one pair.
+struct Series {
+  Measurement last;
+  std::vector<double> seconds;
+
+  void add(const Measurement& measurement) {
+    last = measurement;
+    if (measurement.failure.empty()) {
+      seconds.push_back(measurement.seconds);
+    }
+  }
+
+  [[nodiscard]] bool is_over() const {
+    return !last.failure.empty() || (!seconds.empty() && seconds.back() > once_is_enough);
+  }
+
+  [[nodiscard]] std::string json() const {
+    if (!last.failure.empty()) {
+      return "{\"failure\": " + quoted(last.failure) + "}";
+    }
+    std::vector<double> sorted = seconds;
+    std::sort(sorted.begin(), sorted.end());
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "{\"ms\": %.6g, \"rounds\": %zu, \"vertices\": %zu, \"exact_vertices\": %zu, "
+                  "\"area\": %.12g, \"peak_bytes\": %zu, \"superset_edges\": %zu, "
+                  "\"superset_ms\": %.6g}",
+                  1000 * sorted[sorted.size() / 2], sorted.size(), last.vertices,
+                  last.observation.exact_vertices, last.area, last.peak_bytes,
+                  last.observation.superset_edges, 1000 * last.observation.superset_seconds);
+    return text;
+  }
+};
+
+class Comparison {
+ public:
+  explicit Comparison(Options options) : options_(std::move(options)), systems_(systems()) {}
+
+  void run() {
+    for (const Set& set : all_sets(options_.quick)) {
+      if (options_.sets.empty() || contains(options_.sets, set.name)) {
+        run(set);
+      }
+    }
+  }
+
+ private:
+  void run(const Set& set) {
+    std::set<std::string> cut_off;
+    for (const Pair& pair : set.pairs) {
+      auto [a, b] = pair.make();
+      a = tidy(a);
+      b = tidy(b);
+      // In a set that grows, what was cut off is not tried on larger pairs.
+      const auto is_tried = [&](const System& system) {
+        const double vertex_pairs = static_cast<double>(a.size()) * static_cast<double>(b.size());
+        const bool is_asked = options_.systems.empty() || contains(options_.systems, system.name);
+        const bool is_invited =
+            system.role == Role::libgcv ||
+            ((set.for_all_peers || system.role == Role::principal_peer) &&
+             vertex_pairs <= std::min(system.most_vertex_pairs, set.most_vertex_pairs_for_peers));
+        return is_asked && is_invited && !(set.grows && cut_off.contains(system.name));
+      };
+      std::vector<System> tried;
+      std::copy_if(systems_.begin(), systems_.end(), std::back_inserter(tried), is_tried);
+      const std::vector<Series> results = run(tried, a, b);
+      std::string json;
+      for (std::size_t k = 0; k < tried.size(); ++k) {
+        if (results[k].last.is_cut_off) {
+          cut_off.insert(tried[k].name);
+        }
+        json += (k == 0 ? "" : ", ") + quoted(tried[k].name) + ": " + results[k].json();
+      }
+      std::printf("{\"set\": %s, \"pair\": %s, \"a\": %s, \"b\": %s, \"results\": {%s}}\n",
+                  quoted(set.name).c_str(), quoted(pair.name).c_str(), described(a).c_str(),
+                  described(b).c_str(), json.c_str());
+      std::fflush(stdout);
+    }
+  }
+
+  [[nodiscard]] std::vector<Series> run(const std::vector<System>& tried, const Ring& a,
+                                        const Ring& b) const {
+    std::vector<Series> results(tried.size());
+    for (int round = 0; round < options_.rounds; ++round) {
+      for (std::size_t k = 0; k < tried.size(); ++k) {
+        if (!results[k].is_over()) {
+          results[k].add(measure(tried[k], a, b, options_.limit));
+        }
+      }
+    }
+    return results;
+  }
+
+  Options options_;
+  std::vector<System> systems_;
+};
+
+}  // namespace
+
+}  // namespace gcv::bench
+
+int main(int argc, char** argv) {
+  try {
+    gcv::bench::Comparison(gcv::bench::parse({argv + 1, argv + argc})).run();
+  } catch (const std::exception& exception) {
+    std::fprintf(stderr, "gcv_compare: %s\n", exception.what());
+    return 1;
+  }
+  return 0;
+}

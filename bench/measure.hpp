@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One system on one pair, in a process of its own: whatever it does, the next one starts
+// from the same state.
+#pragma once
+
+#include "systems/system.hpp"
+
+namespace gcv::bench {
+
+struct Measurement {
+  double seconds = 0;  // for one run: the least of some
+  std::size_t vertices = 0;
+  double area = 0;
+  std::size_t peak_bytes = 0;  // resident in the process, with the input
+  Observation observation;
+  std::string failure;      // empty where there is a result
+  bool is_cut_off = false;  // it took too long
+};
+
+// A process that takes more than `limit` seconds is ended.
+Measurement measure(const System& system, const Ring& a, const Ring& b, double limit);
+
+}  // namespace gcv::bench

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "sets.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "data.hpp"
+#include "shapes.hpp"
+
+namespace gcv::bench {
+
+namespace {
+
+using test::random_histogram;
+using test::random_spiky_star;
+using test::read_polygon;
+using test::uniform;
+
+std::string size_name(int n) { return std::to_string(n) + " x " + std::to_string(n); }
+
+// The blocks of pairs.txt; comments divide them.
+std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory) {
+  std::vector<Set> blocks{{.name = "paper"}, {.name = "real"}, {.name = "growing", .grows = true}};
+  std::ifstream stream(directory / "pairs.txt");
+  std::size_t block = 0;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream words(line);
+    std::string name;
+    std::string a;
+    std::string b;
+    if (line.rfind('#', 0) == 0) {
+      block += blocks[block].pairs.empty() ? 0 : 1;
+    } else if (words >> name >> a >> b) {
+      blocks.at(block).pairs.push_back(
+          {name, [directory, a, b] {
+             return Rings{read_polygon(directory / a), read_polygon(directory / b)};
+           }});
+    }
+  }
+  return blocks;
+}
+
+Set nesting(const std::filesystem::path& directory, int count) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "nesting")) {
+    if (entry.path().extension() == ".wkt") {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  Set set{.name = "nesting", .for_all_peers = false};
+  Random random(1);
+  const auto draw = [&] {
+    return files[static_cast<std::size_t>(uniform(random, 0, static_cast<int>(files.size()) - 1))];
+  };
+  for (int k = 0; k < count; ++k) {
+    const auto a = draw();
+    const auto b = draw();
+    set.pairs.push_back({a.stem().string() + " + " + b.stem().string(), [a, b] {
+                           return Rings{read_polygon(a), read_polygon(b)};
+                         }});
+  }
+  return set;
+}
+
+// Two polygons of each size, from one generator.
+template <class Make>
+Set of_sizes(const char* name, const std::vector<int>& sizes, Make make) {
+  Set set{.name = name, .grows = true};
+  for (const int n : sizes) {
+    set.pairs.push_back({size_name(n), [n, make] {
+                           Random random(static_cast<std::uint64_t>(n));
+                           Ring a = make(random, n);
+                           return Rings{std::move(a), make(random, n)};
+                         }});
+  }
+  return set;
+}
+
+Set tiny_pairs(int count) {
+  Set set{.name = "tiny"};
+  for (int k = 1; k <= count; ++k) {
+    set.pairs.push_back({std::to_string(k), [k] {
+                           Random random(static_cast<std::uint64_t>(k));
+                           Ring a = tiny(random);
+                           return Rings{std::move(a), tiny(random)};
+                         }});
+  }
+  return set;
+}
+
+Rings coasts(int n, int m) {
+  Random random(static_cast<std::uint64_t>(n));
+  Ring a = coast(random, n);
+  return {std::move(a), coast(random, m)};
+}
+
+Rings spiky_stars(int n) {
+  Random random(static_cast<std::uint64_t>(n));
+  Ring a = random_spiky_star(random, n);
+  return {std::move(a), random_spiky_star(random, n)};
+}
+
+Rings twice(const Ring& ring) { return {ring, ring}; }
+
+// Shapes that cost more than their size tells; the first one is what they are compared to.
+Set hostile() {
+  return {.name = "hostile",
+          .pairs = {{"coasts 10000 x 10000", [] { return coasts(10000, 10000); }},
+                    {"comb of 250 teeth, with itself", [] { return twice(comb(250)); }},
+                    {"comb of 2500 teeth, turned",
+                     [] {
+                       return Rings{comb(2500), quarter_turned(comb(2500))};
+                     }},
+                    {"Koch curves 3072 x 3072", [] { return twice(koch(5)); }},
+                    {"spiky stars 1000 x 1000", [] { return spiky_stars(1000); }},
+                    {"spiky stars 10000 x 10000", [] { return spiky_stars(10000); }},
+                    {"regular 10000-gons",
+                     [] {
+                       return Rings{regular(10000, 100), regular(10000, 70)};
+                     }},
+                    {"zigzag of 500, with itself", [] { return twice(zigzag(500)); }},
+                    {"zigzag of 500, turned",
+                     [] {
+                       return Rings{zigzag(500), quarter_turned(zigzag(500))};
+                     }},
+                    {"spiral of 100 turns + small square",
+                     [] {
+                       return Rings{spiral(100), regular(4, 0.5)};
+                     }},
+                    {"spiral of 100 turns, with itself", [] { return twice(spiral(100)); }},
+                    {"coasts 100000 x 4", [] { return coasts(100000, 4); }},
+                    {"coasts 10000 x 10000, one scaled by 1/1000",
+                     [] {
+                       auto [a, b] = coasts(10000, 10000);
+                       return Rings{a, scaled(b, 0.001)};
+                     }},
+                    {"coast 10000 and its reflection",
+                     [] {
+                       const Ring a = coasts(10000, 4).first;
+                       return Rings{a, test::negated(a)};
+                     }},
+                    {"coasts 10000 x 10000, 10^9 away",
+                     [] {
+                       auto [a, b] = coasts(10000, 10000);
+                       return Rings{moved(a, 1e9, -1e9), moved(b, -3e9, 2e9)};
+                     }}},
+          .for_all_peers = false,
+          .most_vertex_pairs_for_peers = 5e5};
+}
+
+std::vector<int> up_to(int most, std::vector<int> sizes) {
+  std::erase_if(sizes, [&](int n) { return n > most; });
+  return sizes;
+}
+
+}  // namespace
+
+std::vector<Set> all_sets(bool quick) {
+  std::vector<Set> sets;
+  if (const auto directory = test::data_directory()) {
+    sets = blocks_of_pairs(*directory);
+    sets.push_back(nesting(*directory, quick ? 40 : 200));
+  } else {
+    std::fputs("no data: neither GCV_DATA_DIR nor ../shared/data; going on without\n", stderr);
+  }
+  const int most = quick ? 10000 : 1000000;
+  const std::vector<int> powers{100, 1000, 10000, 100000, 1000000};
+  sets.push_back(of_sizes("coasts", up_to(most, powers), coast));
+  sets.push_back(of_sizes("spiky stars", {10, 30, 60, 100, 200}, random_spiky_star));
+  sets.push_back(of_sizes("rectilinear", {10, 30, 100, 300}, [](Random& random, int n) {
+    return random_histogram(random, n / 2, 20);
+  }));
+  sets.push_back(of_sizes("convex", {8, 100, 1000, 10000}, random_convex));
+  sets.push_back(tiny_pairs(quick ? 5 : 20));
+  sets.push_back(hostile());
+  return sets;
+}
+
+}  // namespace gcv::bench

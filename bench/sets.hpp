@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The pairs of polygons that are measured, in sets.
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "point.hpp"
+
+namespace gcv::bench {
+
+using Rings = std::pair<std::vector<Point>, std::vector<Point>>;
+
+struct Pair {
+  std::string name;
+  std::function<Rings()> make;
+};
+
+struct Set {
+  std::string name;
+  std::vector<Pair> pairs = {};
+  bool for_all_peers = true;  // or else for the principal ones alone
+  bool grows = false;         // in size: who is cut off on a pair would be on later ones
+  double most_vertex_pairs_for_peers = std::numeric_limits<double>::infinity();
+};
+
+// All sets; those of data only where the data is. A quick run has fewer and smaller pairs.
+std::vector<Set> all_sets(bool quick);
+
+}  // namespace gcv::bench

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Polygons that are made up. All randomness is in integers of the generator passed in;
+// star-shaped ones are simple whatever their radii.
+#pragma once
+
+#include "generators.hpp"
+
+namespace gcv::bench {
+
+using test::Random;
+using test::Ring;
+
+// A coast round a point, by halving arcs and displacing their middles in proportion to
+// their length: detail at all scales. The number of vertices is a multiple of 4.
+Ring coast(Random& random, int vertices);
+
+// All vertices on a circle: at equal angles, or at random ones.
+Ring regular(int vertices, double radius);
+Ring random_convex(Random& random, int vertices);
+
+// From 3 to 8 vertices with small integer coordinates.
+Ring tiny(Random& random);
+
+// Teeth that point upwards from a bar.
+Ring comb(int teeth);
+Ring quarter_turned(Ring ring);
+
+// Koch's snowflake: 3 * 4^level vertices.
+Ring koch(int level);
+
+// A thin strip that goes to and fro.
+Ring zigzag(int corners);
+
+// A wall that winds inwards: 8 vertices a turn.
+Ring spiral(int turns);
+
+Ring scaled(Ring ring, double factor);
+Ring moved(Ring ring, double x, double y);
+
+}  // namespace gcv::bench

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <CGAL/minkowski_sum_2.h>
+
+#include "cgal.hpp"
+
+namespace gcv::bench {
+
+Job cgal_full_convolution(const Ring& a, const Ring& b) {
+  return cgal_job(a, b, [](const CgalPolygon& p, const CgalPolygon& q) {
+    return CGAL::minkowski_sum_by_full_convolution_2(p, q).outer_boundary();
+  });
+}
+
+}  // namespace gcv::bench

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <dlfcn.h>
+#include <gcv/gcv.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "system.hpp"
+
+namespace gcv::bench {
+
+namespace {
+
+// The functions of one build of the library. All builds have the same names, so each is
+// loaded apart.
+struct Library {
+  decltype(&gcv_last_error_message) last_error_message;
+  decltype(&gcv_polygon_create) polygon_create;
+  decltype(&gcv_polygon_destroy) polygon_destroy;
+  decltype(&gcv_minkowski_sum) minkowski_sum;
+  decltype(&gcv_outer_face_exact_vertex_count) exact_vertex_count;
+  decltype(&gcv_outer_face_vertex_count) vertex_count;
+  decltype(&gcv_outer_face_vertices) vertices;
+  decltype(&gcv_outer_face_destroy) outer_face_destroy;
+
+  void check(gcv_status status) const {
+    if (status != GCV_OK) {
+      throw std::runtime_error(last_error_message());
+    }
+  }
+};
+
+template <class Function>
+void find(void* handle, const char* name, Function*& function) {
+  function = reinterpret_cast<Function*>(dlsym(handle, name));
+  if (function == nullptr) {
+    throw std::runtime_error(dlerror());
+  }
+}
+
+Library load(const char* file) {
+  void* const handle = dlopen(file, RTLD_NOW | RTLD_LOCAL);
+  if (handle == nullptr) {
+    throw std::runtime_error(dlerror());
+  }
+  Library library{};
+  find(handle, "gcv_last_error_message", library.last_error_message);
+  find(handle, "gcv_polygon_create", library.polygon_create);
+  find(handle, "gcv_polygon_destroy", library.polygon_destroy);
+  find(handle, "gcv_minkowski_sum", library.minkowski_sum);
+  find(handle, "gcv_outer_face_exact_vertex_count", library.exact_vertex_count);
+  find(handle, "gcv_outer_face_vertex_count", library.vertex_count);
+  find(handle, "gcv_outer_face_vertices", library.vertices);
+  find(handle, "gcv_outer_face_destroy", library.outer_face_destroy);
+  return library;
+}
+
+using PolygonHandle = std::shared_ptr<gcv_polygon>;
+
+PolygonHandle make_handle(const Library& library, const Ring& ring) {
+  gcv_polygon* polygon = nullptr;
+  library.check(library.polygon_create(&ring.data()->x, ring.size(), 0, &polygon));
+  return {polygon, library.polygon_destroy};
+}
+
+Ring sum(const Library& library, const gcv_polygon* a, const gcv_polygon* b,
+         Observation& observation) {
+  gcv_outer_face* sum = nullptr;
+  library.check(library.minkowski_sum(a, b, nullptr, &sum));
+  const std::unique_ptr<gcv_outer_face, decltype(&gcv_outer_face_destroy)> face(
+      sum, library.outer_face_destroy);
+  library.check(library.exact_vertex_count(sum, &observation.exact_vertices));
+  std::size_t count = 0;
+  library.check(library.vertex_count(sum, &count));
+  Ring ring(count);
+  library.check(library.vertices(sum, &ring.data()->x, count, &count));
+  return ring;
+}
+
+}  // namespace
+
+std::function<Job(const Ring&, const Ring&)> libgcv_cold(const char* library) {
+  return [lib = load(library)](const Ring& a, const Ring& b) {
+    auto observation = std::make_shared<Observation>();
+    return Job{[lib, &a, &b, observation] {
+                 const PolygonHandle p = make_handle(lib, a);
+                 const PolygonHandle q = make_handle(lib, b);
+                 return sum(lib, p.get(), q.get(), *observation);
+               },
+               [observation] { return *observation; }};
+  };
+}
+
+std::function<Job(const Ring&, const Ring&)> libgcv_prepared(const char* library) {
+  return [lib = load(library)](const Ring& a, const Ring& b) {
+    auto observation = std::make_shared<Observation>();
+    return Job{[lib, p = make_handle(lib, a), q = make_handle(lib, b), observation] {
+                 return sum(lib, p.get(), q.get(), *observation);
+               },
+               [observation] { return *observation; }};
+  };
+}
+
+}  // namespace gcv::bench

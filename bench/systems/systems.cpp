@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include <limits>
+
+#include "system.hpp"
+
+namespace gcv::bench {
+
+std::vector<System> systems() {
+  constexpr double any = std::numeric_limits<double>::infinity();
+  return {{"libgcv", Role::libgcv, any, libgcv_cold(GCV_LIBRARY)},
+          {"libgcv prepared", Role::libgcv, any, libgcv_prepared(GCV_LIBRARY)},
+          {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
+          {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
+          {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
+#ifdef GCV_BENCH_CLIPPER2
+          {"Clipper2", Role::principal_peer, 3e5, clipper2},
+#endif
+          {"Clipper", Role::principal_peer, 3e5, clipper},
+          {"CGAL full convolution", Role::peer, 1e5, cgal_full_convolution},
+          {"CGAL decomposition", Role::peer, 2e6, cgal_decomposition},
+          {"GCVMSOF by arrangement", Role::peer, 2e6, gcv_arrangement},
+          {"RCMSOF by arrangement", Role::peer, 2e6, reduced_convolution_arrangement},
+          {"Boost.Polygon", Role::peer, 1e5, boost_polygon}};
+}
+
+}  // namespace gcv::bench

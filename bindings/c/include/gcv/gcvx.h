@@ -1,0 +1,176 @@
+/*
+ * gcvx.h - what programs in C would otherwise write around gcv.h, header-only.
+ *
+ * Copyright (C) 2026 The libgcv authors
+ * SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * C99 and later; C++11 and later compile it too. Nothing here is part of the library:
+ * the functions are compiled into the program that uses them, and call the interface of
+ * gcv.h as any program could.
+ *
+ * Pointer arguments must not be NULL, save handles, which the library refuses itself. On
+ * failure nothing is written to the outputs. Memory that is given through an output
+ * argument is the caller's to free().
+ */
+#ifndef GCV_GCVX_H
+#define GCV_GCVX_H
+
+#include <errno.h>
+#include <gcv/gcv.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+  /** A status of this header: the C library could not do something, and errno says why.
+   *  No status of gcv.h is below 0. */
+  GCVX_ERR_SYSTEM = -1,
+  /** The size in bytes that every message of gcvx_message fits in. */
+  GCVX_MESSAGE_SIZE = 640
+};
+
+/**
+ * A status and what it was about, such as "GCV_ERR_NOT_SIMPLE: edge 0 ...", for people.
+ *
+ * @param status  what a function of this header or of gcv.h has just returned on this
+ *                thread.
+ * @param text    room for GCVX_MESSAGE_SIZE bytes.
+ * @return        text.
+ */
+static inline const char *gcvx_message(gcv_status status, char *text) {
+  if (status == GCV_OK) {
+    snprintf(text, GCVX_MESSAGE_SIZE, "%s", gcv_status_name(status));
+  } else if (status == GCVX_ERR_SYSTEM) {
+    snprintf(text, GCVX_MESSAGE_SIZE, "GCVX_ERR_SYSTEM: %s", strerror(errno));
+  } else {
+    snprintf(text, GCVX_MESSAGE_SIZE, "%s: %s", gcv_status_name(status), gcv_last_error_message());
+  }
+  return text;
+}
+
+/*
+ * The body of a function that gives in *out, allocated, the *count elements that `call`
+ * writes: asks for their number, then for them. `call` has (buffer, capacity, &required).
+ */
+#define GCVX_ALLOCATED(type, element_size, call, out, count) \
+  type *buffer = NULL;                                       \
+  size_t capacity = 0, required = 0;                         \
+  gcv_status status = call;                                  \
+  if (status != GCV_OK) return status;                       \
+  buffer = (type *)malloc(required * (element_size));        \
+  if (buffer == NULL) return GCVX_ERR_SYSTEM;                \
+  capacity = required;                                       \
+  status = call;                                             \
+  if (status != GCV_OK) {                                    \
+    free(buffer);                                            \
+    return status;                                           \
+  }                                                          \
+  *(out) = buffer;                                           \
+  *(count) = required;                                       \
+  return GCV_OK
+
+/**
+ * gcv_polygon_vertices into memory of its own.
+ *
+ * @param xy     x0 y0 x1 y1 ...
+ * @param count  the number of vertices.
+ * @return as gcv_polygon_vertices, and GCVX_ERR_SYSTEM without memory.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_polygon_vertices(const gcv_polygon *polygon,
+                                                             double **xy, size_t *count) {
+  GCVX_ALLOCATED(double, 2 * sizeof(double),
+                 gcv_polygon_vertices(polygon, buffer, capacity, &required), xy, count);
+}
+
+/** gcv_outer_face_vertices into memory of its own; as gcvx_polygon_vertices. */
+GCV_NODISCARD static inline gcv_status gcvx_outer_face_vertices(const gcv_outer_face *face,
+                                                                double **xy, size_t *count) {
+  GCVX_ALLOCATED(double, 2 * sizeof(double),
+                 gcv_outer_face_vertices(face, buffer, capacity, &required), xy, count);
+}
+
+/**
+ * gcv_outer_face_edge_sources into memory of its own.
+ *
+ * @param count  the number of edges of the exact ring.
+ * @return as gcv_outer_face_edge_sources, and GCVX_ERR_SYSTEM without memory.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_outer_face_edge_sources(const gcv_outer_face *face,
+                                                                    gcv_edge_source **sources,
+                                                                    size_t *count) {
+  GCVX_ALLOCATED(gcv_edge_source, sizeof(gcv_edge_source),
+                 gcv_outer_face_edge_sources(face, buffer, capacity, &required), sources, count);
+}
+
+/**
+ * gcv_superset_edges into memory of its own.
+ *
+ * @param count  the number of edges.
+ * @return as gcv_superset_edges, and GCVX_ERR_SYSTEM without memory.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_superset_edges(const gcv_superset *superset,
+                                                           gcv_superset_edge **edges,
+                                                           size_t *count) {
+  GCVX_ALLOCATED(gcv_superset_edge, sizeof(gcv_superset_edge),
+                 gcv_superset_edges(superset, buffer, capacity, &required), edges, count);
+}
+
+/** gcv_outer_face_wkt into memory of its own, or GCVX_ERR_SYSTEM without memory. */
+GCV_NODISCARD static inline gcv_status gcvx_outer_face_wkt(const gcv_outer_face *face,
+                                                           char **text) {
+  size_t size = 0;
+  GCVX_ALLOCATED(char, 1, gcv_outer_face_wkt(face, buffer, capacity, &required), text, &size);
+}
+
+/** gcv_outer_face_exact_vertex into memory of its own, or GCVX_ERR_SYSTEM without memory. */
+GCV_NODISCARD static inline gcv_status gcvx_outer_face_exact_vertex(const gcv_outer_face *face,
+                                                                    size_t index, char **text) {
+  size_t size = 0;
+  GCVX_ALLOCATED(char, 1, gcv_outer_face_exact_vertex(face, index, buffer, capacity, &required),
+                 text, &size);
+}
+
+#undef GCVX_ALLOCATED
+
+/* The rest of a file. *text is the caller's to free, on failure too. */
+static inline gcv_status gcvx_read(FILE *file, char **text, size_t *length) {
+  size_t capacity = 0;
+  while (!feof(file)) {
+    if (*length == capacity) {
+      char *larger = NULL;
+      capacity = capacity == 0 ? 4096 : 2 * capacity;
+      larger = (char *)realloc(*text, capacity);
+      if (larger == NULL) return GCVX_ERR_SYSTEM;
+      *text = larger;
+    }
+    *length += fread(*text + *length, 1, capacity - *length, file);
+    if (ferror(file)) return GCVX_ERR_SYSTEM;
+  }
+  return GCV_OK;
+}
+
+/**
+ * gcv_polygon_create_wkt from a file.
+ *
+ * @param path  the name of the file, all of which is one polygon.
+ * @param out   the new polygon, the caller's.
+ * @return as gcv_polygon_create_wkt, and GCVX_ERR_SYSTEM for a file that cannot be read
+ *         or that there is no memory for.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_polygon_read_wkt(const char *path, gcv_polygon **out) {
+  char *text = NULL;
+  size_t length = 0;
+  gcv_status status = GCVX_ERR_SYSTEM;
+  int reason = 0;
+  FILE *file = fopen(path, "rb");
+  if (file == NULL) return status;
+  status = gcvx_read(file, &text, &length);
+  reason = errno; /* of the reading, not of what follows */
+  fclose(file);
+  if (status == GCV_OK) status = gcv_polygon_create_wkt(text, length, out);
+  free(text);
+  errno = reason;
+  return status;
+}
+
+#endif /* GCV_GCVX_H */

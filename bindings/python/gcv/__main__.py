@@ -1,0 +1,110 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""python -m gcv: the outer face of the sum of two polygons in files."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import importlib
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Optional
+
+import gcv
+
+from ._drawing import svg
+
+
+def main(arguments: Optional[list[str]] = None) -> int:
+    """Run the program; the exit status is 0, 1 for a failure, 2 for wrong usage."""
+    options = _parser().parse_args(arguments)
+    try:
+        face = _compute(options)
+        if options.svg is not None:
+            options.svg.write_text(svg([face._points(), *options.drawn]) + "\n")
+    except (gcv.Error, OSError, UnicodeDecodeError) as error:
+        print(f"gcv: {error}", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("gcv: interrupted", file=sys.stderr)
+        return 130
+    print(face.wkt)
+    return 0
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="python -m gcv",
+        description="Prints the outer face of the Minkowski sum A + B as Well-Known Text. "
+        "A and B are files of Well-Known Text, each with one POLYGON.",
+    )
+    parser.add_argument("a", type=Path, metavar="A.wkt")
+    parser.add_argument("b", type=Path, metavar="B.wkt")
+    parser.add_argument(
+        "--no-fit",
+        nargs=2,
+        type=float,
+        metavar=("X", "Y"),
+        help="instead the no-fit polygon A + (-B) + (X, Y): where the point (X, Y) of B may go "
+        "while A and B touch",
+    )
+    parser.add_argument("--rounding", choices=["nearest", "outward"], default="nearest")
+    parser.add_argument("--tolerance", type=float, default=0.0, metavar="DISTANCE")
+    parser.add_argument("--threads", type=int, default=1, metavar="N", help="0: all; default 1")
+    parser.add_argument("--svg", type=Path, metavar="FILE", help="also draws the polygons")
+    parser.add_argument("--version", action="version", version=gcv.library_version())
+    return parser
+
+
+def _compute(options: argparse.Namespace) -> gcv.OuterFace:
+    a, b = _read(options.a), _read(options.b)
+    options.drawn = [a._points(), b._points()]
+    with _progress_bar() as progress:
+        if options.no_fit is not None:
+            return gcv.no_fit_polygon(
+                a,
+                b,
+                options.no_fit,
+                rounding=options.rounding,
+                tolerance=options.tolerance,
+                threads=options.threads,
+                progress=progress,
+            )
+        return gcv.minkowski_sum(
+            a,
+            b,
+            rounding=options.rounding,
+            tolerance=options.tolerance,
+            threads=options.threads,
+            progress=progress,
+        )
+
+
+def _read(file: Path) -> gcv.Polygon:
+    try:
+        return gcv.Polygon(file.read_text())
+    except gcv.Error as error:
+        raise type(error)(error.status, f"{file}: {error}") from None
+
+
+@contextlib.contextmanager
+def _progress_bar() -> Iterator[Optional[gcv.Progress]]:
+    """A bar on a terminal, once work has taken a second, where tqdm is installed."""
+    try:
+        tqdm = importlib.import_module("tqdm").tqdm
+    except ImportError:
+        yield None
+        return
+    with tqdm(disable=None, delay=1, unit=" steps", unit_scale=True, leave=False) as bar:
+
+        def progress(done: int, estimate: int) -> None:
+            bar.total = estimate
+            bar.update(done - bar.n)
+
+        yield progress
+
+
+if __name__ == "__main__":
+    sys.exit(main())

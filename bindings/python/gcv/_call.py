@@ -1,0 +1,77 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Calls of the library that can take long."""
+
+from __future__ import annotations
+
+import threading
+from typing import Any, Callable, Literal, Optional, TypeVar
+
+from . import _ffi
+
+Rounding = Literal["nearest", "outward"]
+Progress = Callable[[int, int], object]
+
+_T = TypeVar("_T")
+
+# An outer face has in the order of n m edges at most: below this, no call is long.
+_SHORT = 1 << 16
+_SECONDS_BETWEEN_REPORTS = 0.1
+
+
+def run(
+    call: Callable[[Any], _T],
+    pairs: int,
+    rounding: Rounding,
+    tolerance: float,
+    threads: int,
+    progress: Optional[Progress],
+) -> _T:
+    """Return call(options), interruptible where it can take long.
+
+    pairs is the number of pairs of vertices. Python runs signal handlers, such as the
+    one that raises KeyboardInterrupt, in the main thread and between two of its own
+    instructions: not while that thread computes. So it waits here, and another thread
+    computes. Whatever exception ends the waiting cancels the call.
+    """
+    short = pairs <= _SHORT or threading.current_thread() is not threading.main_thread()
+    if progress is None and short:
+        return call(_options(rounding, tolerance, threads))
+    from concurrent.futures import ThreadPoolExecutor, wait
+
+    latest = (0, 0)
+    cancelled = 0
+
+    def report(_context: object, done: int, estimate: int) -> int:
+        nonlocal latest
+        latest = (done, estimate)
+        return cancelled
+
+    options = _options(rounding, tolerance, threads, _ffi.Progress(report))
+    with ThreadPoolExecutor(1) as pool:
+        try:
+            future = pool.submit(call, options)
+            if progress is not None:
+                while not wait((future,), _SECONDS_BETWEEN_REPORTS).done:
+                    progress(*latest)
+            result = future.result()
+        except BaseException:
+            cancelled = 1
+            raise
+    if progress is not None:
+        progress(*latest)
+    return result
+
+
+def _options(rounding: Rounding, tolerance: float, threads: int, report: Any = None) -> Any:
+    """The options as the library takes them; None for the defaults."""
+    if report is None and (rounding, tolerance, threads) == ("nearest", 0, 1):
+        return None
+    if rounding not in _ffi.ROUNDINGS:
+        raise ValueError(f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}")
+    options = _ffi.sized(
+        _ffi.Options, rounding=_ffi.ROUNDINGS[rounding], tolerance=tolerance, threads=threads
+    )
+    if report is not None:
+        options.progress = report
+    return options

@@ -1,0 +1,141 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""How the library is found, and that its declarations are those of gcv.h."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any, Optional
+
+import pytest
+from shapes import BINDING, REPOSITORY
+
+import gcv
+from gcv import _ffi
+
+LIBRARY = os.environ["GCV_LIBRARY"]
+HEADER = REPOSITORY / "capi/include/gcv/gcv.h"
+
+
+def test_version() -> None:
+    assert gcv.library_version() == gcv.__version__
+    assert f'\nversion = "{gcv.__version__}"\n' in (BINDING / "pyproject.toml").read_text()
+
+
+def test_every_function_is_declared() -> None:
+    exported = re.findall(r"\bgcv_\w+(?=;)", (REPOSITORY / "capi/gcv.map").read_text())
+    assert sorted(_ffi.FUNCTIONS) == sorted(exported)
+
+
+def layout(struct: Any) -> list[tuple[str, int, int]]:
+    members = [(name, getattr(struct, name)) for name, _ in struct._fields_]
+    return [("", 0, ctypes.sizeof(struct))] + [(n, m.offset, m.size) for n, m in members]
+
+
+def test_structs_are_those_of_the_compiler(tmp_path: Path) -> None:
+    """A program made from the header's own text prints every size and offset."""
+    text = re.sub(r"/\*.*?\*/", "", HEADER.read_text(), flags=re.DOTALL)
+    structs = dict(re.findall(r"typedef struct (\w+) \{([^}]*)\}", text))
+    lines = []
+    for struct, body in structs.items():
+        lines.append(f'printf("{struct}. 0 %zu\\n", sizeof({struct}));')
+        for names in re.findall(r"\(\*(\w+)\)[^;]*;|(\w+(?:, \w+)*);", body):
+            for name in "".join(names).split(", "):
+                member = f"(({struct} *)0)->{name}"
+                lines.append(
+                    f'printf("{struct}.{name} %zu %zu\\n", offsetof({struct}, {name}), '
+                    f"sizeof({member}));"
+                )
+    constants = re.findall(r"\bGCV_[A-Z_]+(?= = )", text)
+    lines += [f'printf("{name} %d\\n", (int){name});' for name in constants]
+    program = tmp_path / "layout.c"
+    program.write_text(
+        "#include <gcv/gcv.h>\n#include <stdio.h>\nint main(void) {\n" + "\n".join(lines) + "\n}\n"
+    )
+    compiler = os.environ.get("CC", "cc")
+    include = HEADER.parents[1]
+    subprocess.run(
+        [compiler, f"-I{include}", program, "-o", tmp_path / "layout"],
+        check=True,
+    )
+    printed = subprocess.run(tmp_path / "layout", check=True, capture_output=True, text=True)
+
+    declared = []
+    for name, kind in vars(_ffi).items():
+        if isinstance(kind, type) and issubclass(kind, ctypes.Structure) and name != "Structure":
+            struct = "gcv" + re.sub("[A-Z]", lambda letter: f"_{letter[0].lower()}", name)
+            declared += [f"{struct}.{m} {offset} {size}" for m, offset, size in layout(kind)]
+    values = {
+        **{f"GCV_ROUND_{name.upper()}": value for name, value in _ffi.ROUNDINGS.items()},
+        **{name: value for value in range(200) if "UNKNOWN" not in (name := status_name(value))},
+        "GCV_EDGE_TRANSLATED": gcv.EDGE_TRANSLATED,
+        "GCV_EDGE_CORNER": gcv.EDGE_CORNER,
+        "GCV_EDGE_TRANSLATED_CORNER": gcv.EDGE_TRANSLATED_CORNER,
+    }
+    declared += [f"{name} {value}" for name, value in values.items()]
+    assert sorted(declared) == sorted(printed.stdout.splitlines())
+
+
+def status_name(status: int) -> str:
+    return gcv.Error(status, "").status_name
+
+
+def run_import(
+    library: Optional[str], directory: object, package: Path = BINDING
+) -> subprocess.CompletedProcess[str]:
+    environment = {**os.environ, "PYTHONPATH": str(package), "PYTHONDONTWRITEBYTECODE": "1"}
+    environment.pop("GCV_LIBRARY", None)
+    if library is not None:
+        environment["GCV_LIBRARY"] = library
+    program = "import gcv; print(open('/proc/self/maps').read())"
+    return subprocess.run(
+        [sys.executable, "-c", program],
+        env=environment,
+        cwd=str(directory),
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+
+
+@pytest.mark.parametrize("library", ["/nowhere/libgcv.so.0", "libgcv.so.0", sys.executable])
+def test_chosen_library_or_none(library: str) -> None:
+    run = run_import(library, "/")
+    assert run.returncode != 0
+    assert "GCV_LIBRARY" in run.stderr
+    assert library in run.stderr
+
+
+def test_working_directory_is_not_searched(tmp_path: Path) -> None:
+    planted = tmp_path / "libgcv.so.0"
+    shutil.copy(LIBRARY, planted)
+    run = run_import(None, tmp_path)
+    assert str(planted) not in run.stdout
+    if run.returncode != 0:
+        for place in ("beside the package", "dynamic loader", "find_library"):
+            assert place in run.stderr
+    assert run_import(str(planted), "/").returncode == 0
+
+
+def test_library_beside_the_package(tmp_path: Path) -> None:
+    package = shutil.copytree(BINDING / "gcv", tmp_path / "gcv")
+    shutil.copy(LIBRARY, package / "libgcv.so.0")
+    assert str(package / "libgcv.so.0") in run_import(None, "/", tmp_path).stdout
+
+
+def test_without_numpy() -> None:
+    program = """
+import sys
+sys.modules["numpy"] = None
+import gcv
+face = gcv.minkowski_sum([(0, 0), (1, 0), (0, 1)], "POLYGON ((0 0, 1 0, 0 1))")
+assert face.vertices == [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], face.vertices
+assert face.polygon.vertices == face.vertices
+"""
+    subprocess.run([sys.executable, "-c", program], check=True)

@@ -1,0 +1,124 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Progress and interruption of calls that take long."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Callable
+
+import pytest
+from shapes import SQUARE, scaled, star
+
+import gcv
+
+LARGE = star(6000, 1)
+MANY = [LARGE] * 20
+CALLS: list[Callable[[], object]] = [
+    lambda: LARGE + LARGE,
+    lambda: gcv.minkowski_sum(LARGE, LARGE, threads=2),
+    lambda: gcv.no_fit_polygon(LARGE, LARGE, (0, 0)),
+    lambda: gcv.entrance_block(LARGE, LARGE, (0, 0)),
+    lambda: gcv.minkowski_sum_many(MANY, MANY),
+    lambda: gcv.minkowski_sum_many(MANY, MANY, threads=2),
+]
+
+
+class TimeIsUpError(Exception):
+    pass
+
+
+@contextmanager
+def interrupted() -> Iterator[None]:
+    """Ctrl-C while the block runs, which must end with KeyboardInterrupt."""
+    timer = threading.Timer(0.05, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        yield
+    timer.join()
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_keyboard_interrupt_cancels(call: Callable[[], object]) -> None:
+    with interrupted():
+        call()
+    assert threading.active_count() == 1
+
+
+def test_interruption_does_not_wait_for_the_sums() -> None:
+    start = time.perf_counter()
+    LARGE + LARGE
+    one = time.perf_counter() - start
+    start = time.perf_counter()
+    with interrupted():
+        gcv.minkowski_sum_many(MANY, MANY)
+    assert time.perf_counter() - start < len(MANY) / 3 * one
+
+
+def test_other_signals_cancel_too() -> None:
+    def time_is_up(_signal: int, _frame: object) -> None:
+        raise TimeIsUpError
+
+    before = signal.signal(signal.SIGALRM, time_is_up)
+    signal.setitimer(signal.ITIMER_REAL, 0.05)
+    try:
+        with pytest.raises(TimeIsUpError):
+            gcv.minkowski_sum_many(MANY, MANY)
+    finally:
+        signal.signal(signal.SIGALRM, before)
+
+
+def test_progress() -> None:
+    reports: list[tuple[int, int]] = []
+    thread = threading.get_ident()
+
+    def progress(done: int, estimate: int) -> None:
+        assert threading.get_ident() == thread
+        reports.append((done, estimate))
+
+    plain = LARGE + LARGE
+    assert gcv.minkowski_sum(LARGE, LARGE, progress=progress) == plain
+    assert len(reports) > 1
+    steps = [done for done, _ in reports]
+    assert steps == sorted(steps)
+    assert all(done <= estimate for done, estimate in reports)
+    assert reports[-1][0] == reports[-1][1] > 0
+
+    reports.clear()
+    gcv.minkowski_sum(SQUARE, SQUARE, progress=progress)
+    assert len(reports) == 1
+
+
+def test_progress_of_another_thread() -> None:
+    threads = set()
+
+    def work() -> None:
+        gcv.minkowski_sum(LARGE, LARGE, progress=lambda *_: threads.add(threading.get_ident()))
+
+    worker = threading.Thread(target=work)
+    worker.start()
+    worker.join()
+    assert threads == {worker.ident}
+
+
+def test_progress_that_raises_cancels() -> None:
+    def progress(_done: int, _estimate: int) -> None:
+        raise TimeIsUpError
+
+    with pytest.raises(TimeIsUpError):
+        gcv.minkowski_sum_many(MANY, MANY, progress=progress)
+    assert threading.active_count() == 1
+
+
+def test_failures_in_the_computing_thread() -> None:
+    huge = scaled(SQUARE, 1e308)
+    with pytest.raises(gcv.Error, match="coordinate") as raised:
+        gcv.minkowski_sum(huge, huge, progress=print)
+    assert raised.value.status_name == "GCV_ERR_RANGE"
+    with pytest.raises(gcv.Error, match="pair 1: "):
+        gcv.minkowski_sum_many([LARGE, huge], [LARGE, huge])

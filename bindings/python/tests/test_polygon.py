@@ -1,0 +1,186 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What polygons are made from, what they tell, and what they refuse."""
+
+from __future__ import annotations
+
+import copy
+import math
+import pickle
+from array import array
+from collections.abc import Mapping
+from ctypes import c_double
+from fractions import Fraction
+from typing import Any
+
+import numpy as np
+import pytest
+import shapely
+from shapes import BOW_TIE, NOTCHED, SQUARE, U_SHAPE, points, scaled
+
+import gcv
+
+HOLE = [(0.25, 0.25), (0.25, 0.75), (0.75, 0.75), (0.75, 0.25)]
+FLAT = array("d", [c for vertex in SQUARE for c in vertex])
+ARRAY = np.array(SQUARE)
+GEOMETRY = {"type": "Polygon", "coordinates": [[*SQUARE, SQUARE[0]], HOLE]}
+
+
+class Geometry:
+    """An object that knows nothing but its __geo_interface__."""
+
+    def __init__(self, geometry: Mapping[str, Any]) -> None:
+        self.__geo_interface__ = geometry
+
+
+SOURCES: dict[str, Any] = {
+    "lists": [list(vertex) for vertex in SQUARE],
+    "iterator": (vertex for vertex in SQUARE),
+    "fractions": [(Fraction(x), int(y)) for x, y in SQUARE],
+    "clockwise and closed": [*SQUARE[::-1], SQUARE[-1]],
+    "flat array": FLAT,
+    "memoryview": memoryview(FLAT).cast("B").cast("d", [4, 2]),
+    "ctypes array": (c_double * 8)(*FLAT),
+    "numpy": ARRAY,
+    "numpy columns": np.asfortranarray(ARRAY),
+    "numpy reversed": ARRAY[::-1],
+    "numpy every third": np.repeat(ARRAY, 3, axis=0)[1::3],
+    "numpy two columns of seven": np.repeat(ARRAY, (3, 4), axis=1)[:, 1::4],
+    "numpy swapped columns": ARRAY[:, ::-1],
+    "numpy float32": ARRAY.astype(np.float32),
+    "numpy integers": ARRAY.astype(np.uint8),
+    "numpy other byte order": ARRAY.astype(ARRAY.dtype.newbyteorder()),
+    "shapely": shapely.Polygon(SQUARE, [HOLE]),
+    "shapely ring": shapely.LinearRing(SQUARE),
+    "shapely with elevations": shapely.Polygon([(x, y, 7) for x, y in SQUARE]),
+    "geo interface": Geometry(GEOMETRY),
+    "feature": Geometry({"type": "Feature", "properties": {}, "geometry": GEOMETRY}),
+    "mapping": GEOMETRY,
+    "text": "Polygon((0 0, 1 0, 1 1, 0 1, 0 0), (.25 .25, .25 .75, .75 .75))",
+    "polygon": gcv.Polygon(SQUARE),
+    "outer face": gcv.minkowski_sum(ARRAY / 2, ARRAY / 2),
+}
+
+
+@pytest.mark.parametrize("name", SOURCES)
+def test_source(name: str) -> None:
+    polygon = gcv.Polygon(SOURCES[name])
+    assert points(polygon) == SQUARE
+    assert gcv.Polygon(polygon) == polygon
+    assert pickle.loads(pickle.dumps(polygon)) == polygon
+
+
+@pytest.mark.parametrize(
+    "source", [5, None, [1, 2, 3], [(0, 0, 0)], ["ab", "cd", "ef"], b"POLYGON EMPTY", object()]
+)
+def test_not_pairs(source: Any) -> None:
+    with pytest.raises(TypeError):
+        gcv.Polygon(source)
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        array("d", [0, 0, 1]),
+        memoryview(bytes(96)).cast("d", [4, 3]),
+        np.zeros((4, 2, 2)),
+        np.float64(1),
+        shapely.Point(1, 2),
+        shapely.MultiPolygon([shapely.Polygon(SQUARE)]),
+        {"coordinates": SQUARE},
+    ],
+)
+def test_wrong_kind(source: Any) -> None:
+    with pytest.raises(ValueError, match=r"is not a polygon|does not hold pairs"):
+        gcv.Polygon(source)
+
+
+def test_properties() -> None:
+    polygon = gcv.Polygon([(2, 0), (2, 1), (0, 1), (0, 0), (1, 0), (2, 0)])
+    assert points(polygon) == [(0, 0), (2, 0), (2, 1), (0, 1)]
+    assert polygon.area == 2
+    assert polygon.bounds == (0, 0, 2, 1)
+    assert len(polygon) == 4
+    assert repr(polygon) == "<gcv.Polygon of 4 vertices>"
+    assert shapely.geometry.shape(polygon).equals(shapely.box(0, 0, 2, 1))
+
+
+def test_vertices_are_never_copied_or_changed() -> None:
+    polygon = gcv.Polygon(SQUARE)
+    vertices = polygon.vertices
+    assert vertices.dtype == np.float64
+    assert np.shares_memory(vertices, polygon.vertices)
+    assert np.shares_memory(vertices, np.asarray(polygon))
+    with pytest.raises(ValueError, match="read-only"):
+        vertices[0, 0] = 1
+    del polygon
+    assert vertices.tolist() == [list(vertex) for vertex in SQUARE]
+
+
+def test_equality() -> None:
+    polygon = gcv.Polygon(SQUARE)
+    same = gcv.Polygon([(-0.0, 1), (1, 1), (1, 0.5), (1, 0), (0, -0.0)])
+    assert polygon == same
+    assert hash(polygon) == hash(same)
+    assert polygon != gcv.Polygon(U_SHAPE)
+    assert polygon != SQUARE
+    assert len({polygon, same, gcv.Polygon(U_SHAPE)}) == 2
+
+
+def test_copies() -> None:
+    polygon = gcv.Polygon(SQUARE)
+    assert copy.copy(polygon) is polygon
+    assert copy.deepcopy([polygon])[0] is polygon
+
+
+@pytest.mark.parametrize(
+    "source",
+    [NOTCHED[::-1], np.array(NOTCHED), "POLYGON((8 6,3 1 , 0 7,0 0,8 0, 8 6),(1 1,2 1,1 2))"],
+)
+def test_numbers_survive(source: Any) -> None:
+    polygon = gcv.Polygon(source)
+    sources = gcv.minkowski_sum(polygon, SQUARE).sources
+    pickled = pickle.loads(pickle.dumps(polygon))
+    assert gcv.minkowski_sum(pickled, SQUARE).sources == sources
+    reflected = gcv.no_fit_polygon(SQUARE, polygon, (0, 0)).sources
+    assert gcv.minkowski_sum(SQUARE, -polygon).sources == reflected
+
+
+def test_negative() -> None:
+    assert points(-gcv.Polygon(SQUARE)) == [(-1, -1), (0, -1), (0, 0), (-1, 0)]
+    notched = gcv.Polygon(NOTCHED)
+    reflected = -notched
+    assert reflected != notched
+    assert -reflected == notched
+
+
+@pytest.mark.parametrize(
+    ("source", "name"),
+    [
+        ([(0, 0), (1, math.nan), (0, 1)], "GCV_ERR_NOT_FINITE"),
+        ([(0, 0), (1, 0), (-math.inf, 1)], "GCV_ERR_NOT_FINITE"),
+        ("POLYGON ((0 0, 1e999 0, 1 1))", "GCV_ERR_NOT_FINITE"),
+        ([], "GCV_ERR_DEGENERATE"),
+        ("POLYGON EMPTY", "GCV_ERR_DEGENERATE"),
+        (shapely.Polygon(), "GCV_ERR_DEGENERATE"),
+        ([(0, 0), (1, 1), (2, 2)], "GCV_ERR_DEGENERATE"),
+        (BOW_TIE, "GCV_ERR_NOT_SIMPLE"),
+        ("POLYGON ((0 0, 1 0", "GCV_ERR_PARSE"),
+    ],
+)
+def test_refused(source: Any, name: str) -> None:
+    with pytest.raises(gcv.InputError) as raised:
+        gcv.Polygon(source)
+    error = raised.value
+    assert isinstance(error, ValueError)
+    assert error.status_name == name
+    assert str(error)
+    duplicate = pickle.loads(pickle.dumps(error))
+    assert (duplicate.status, str(duplicate)) == (error.status, str(error))
+
+
+def test_area_out_of_range() -> None:
+    huge = scaled(SQUARE, 1e200)
+    with pytest.raises(gcv.Error, match="area") as raised:
+        huge.area  # noqa: B018
+    assert raised.value.status_name == "GCV_ERR_RANGE"

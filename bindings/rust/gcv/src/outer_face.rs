@@ -1,0 +1,175 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+use std::fmt;
+use std::mem::size_of;
+use std::ptr::NonNull;
+
+use gcv_sys as sys;
+
+use crate::call::{check, create, elements, string, value, INFALLIBLE};
+use crate::{EdgeSource, Error, Polygon};
+
+/// The outer face of a Minkowski sum.
+///
+/// Made by [`minkowski_sum`](crate::minkowski_sum), [`no_fit_polygon`](crate::no_fit_polygon),
+/// [`entrance_block`](crate::entrance_block) and
+/// [`minkowski_sum_many`](crate::minkowski_sum_many).
+pub struct OuterFace(NonNull<sys::gcv_outer_face>);
+
+// SAFETY: as for a polygon.
+unsafe impl Send for OuterFace {}
+unsafe impl Sync for OuterFace {}
+
+impl OuterFace {
+    /// The outer face of a handle, which is owned from now on.
+    pub(crate) fn from_handle(handle: NonNull<sys::gcv_outer_face>) -> Self {
+        Self(handle)
+    }
+
+    fn as_ptr(&self) -> *const sys::gcv_outer_face {
+        self.0.as_ptr()
+    }
+
+    /// The outer boundary, rounded as the options said: counter-clockwise from the
+    /// lexicographically smallest vertex, not closed, a simple ring.
+    pub fn vertices(&self) -> Vec<[f64; 2]> {
+        // SAFETY: see `elements`; a vertex is two doubles.
+        elements(|out: *mut [f64; 2], capacity, required| unsafe {
+            sys::gcv_outer_face_vertices(self.as_ptr(), out.cast(), capacity, required)
+        })
+    }
+
+    /// The vertices of the exact ring, without collinear ones, as fractions `"p/q r/s"`
+    /// in lowest terms.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn exact_vertices(&self) -> Vec<String> {
+        // SAFETY: the face is alive.
+        let count =
+            value(|out| unsafe { sys::gcv_outer_face_exact_vertex_count(self.as_ptr(), out) });
+        let vertex = |index| {
+            // SAFETY: see `string`.
+            string(|out, capacity, required| unsafe {
+                sys::gcv_outer_face_exact_vertex(self.as_ptr(), index, out, capacity, required)
+            })
+        };
+        (0..count.expect(INFALLIBLE)).map(vertex).collect()
+    }
+
+    /// The vertices of the exact ring, without collinear ones, as `[x, y]` each.
+    ///
+    /// # Panics
+    /// Without memory.
+    #[cfg(feature = "num-rational")]
+    pub fn exact_rationals(&self) -> Vec<[num_rational::BigRational; 2]> {
+        const FRACTIONS: &str = "libgcv writes two fractions";
+        let convert = |vertex: String| {
+            let (x, y) = vertex.split_once(' ').expect(FRACTIONS);
+            [x, y].map(|fraction| fraction.parse().expect(FRACTIONS))
+        };
+        self.exact_vertices().into_iter().map(convert).collect()
+    }
+
+    /// The source of every edge of the exact ring: element `i` is for the edge from
+    /// exact vertex `i` to `i + 1`.
+    pub fn sources(&self) -> Vec<EdgeSource> {
+        // SAFETY: see `elements`.
+        let sources: Vec<sys::gcv_edge_source> = elements(|out, capacity, required| unsafe {
+            sys::gcv_outer_face_edge_sources(self.as_ptr(), out, capacity, required)
+        });
+        sources.into_iter().map(EdgeSource::from).collect()
+    }
+
+    /// An upper bound on the Hausdorff distance from [`OuterFace::vertices`] to the exact
+    /// ring, in input units: 0 where every exact coordinate is an `f64`.
+    pub fn error_bound(&self) -> f64 {
+        // SAFETY: the face is alive.
+        let bound = value(|out| unsafe { sys::gcv_outer_face_error_bound(self.as_ptr(), out) });
+        bound.expect(INFALLIBLE)
+    }
+
+    /// The area inside [`OuterFace::vertices`], in square units, correctly rounded.
+    ///
+    /// # Errors
+    /// `GCV_ERR_RANGE` where it is larger than any finite `f64`.
+    pub fn area(&self) -> Result<f64, Error> {
+        // SAFETY: the face is alive.
+        value(|out| unsafe { sys::gcv_outer_face_area(self.as_ptr(), out) })
+    }
+
+    /// The ring of [`OuterFace::vertices`] as Well-Known Text, `POLYGON ((x y, ...))`,
+    /// closed, which reads back to the same numbers.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn wkt(&self) -> String {
+        // SAFETY: see `string`.
+        string(|out, capacity, required| unsafe {
+            sys::gcv_outer_face_wkt(self.as_ptr(), out, capacity, required)
+        })
+    }
+
+    /// The ring of [`OuterFace::vertices`] as a polygon, for the next sum.
+    ///
+    /// # Errors
+    /// `GCV_ERR_NO_MEMORY`.
+    pub fn polygon(&self) -> Result<Polygon, Error> {
+        // SAFETY: the face is alive.
+        create(|out| unsafe { sys::gcv_outer_face_polygon(self.as_ptr(), out) })
+            .map(Polygon::from_handle)
+    }
+
+    /// What the computation took.
+    pub fn stats(&self) -> Stats {
+        let mut stats = sys::gcv_stats {
+            struct_size: size_of::<sys::gcv_stats>() as u32,
+            ..Default::default()
+        };
+        // SAFETY: the face is alive, and the struct has the size that it says.
+        check(unsafe { sys::gcv_outer_face_stats(self.as_ptr(), &mut stats) }).expect(INFALLIBLE);
+        Stats {
+            walk_steps: stats.walk_steps,
+            candidate_edges: stats.candidate_edges,
+            predicates_filtered: stats.predicates_filtered,
+            predicates_fixed_width: stats.predicates_fixed_width,
+            predicates_rational: stats.predicates_rational,
+            vertices_repaired: stats.vertices_repaired,
+        }
+    }
+}
+
+impl fmt::Debug for OuterFace {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter
+            .debug_tuple("OuterFace")
+            .field(&self.vertices())
+            .finish()
+    }
+}
+
+impl Drop for OuterFace {
+    fn drop(&mut self) {
+        // SAFETY: the face is owned and not used again.
+        unsafe { sys::gcv_outer_face_destroy(self.0.as_ptr()) }
+    }
+}
+
+/// What a computation took: counts, not times.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Stats {
+    /// Edges that the walk went along.
+    pub walk_steps: u64,
+    /// Superset edges that it looked at.
+    pub candidate_edges: u64,
+    /// Predicates settled by doubles with a proven error bound or by indices.
+    pub predicates_filtered: u64,
+    /// Predicates settled by integers of at most 512 bits.
+    pub predicates_fixed_width: u64,
+    /// Predicates that needed arbitrary-precision arithmetic.
+    pub predicates_rational: u64,
+    /// Vertices moved further than to the nearest double to keep the ring simple.
+    pub vertices_repaired: u64,
+}

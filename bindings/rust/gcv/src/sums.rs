@@ -1,0 +1,173 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+use std::ptr::{self, NonNull};
+use std::vec;
+
+use gcv_sys as sys;
+
+use crate::call::{check, create, elements, last_error_message, status_name};
+use crate::{EdgeSource, Error, Options, OuterFace, Polygon};
+
+/// The outer face of the Minkowski sum A + B.
+///
+/// # Errors
+/// `GCV_ERR_RANGE` where a coordinate of the result is no finite `f64`, or where the
+/// result is so small that in `f64` it has no area; `GCV_ERR_INVALID_ARGUMENT` for an
+/// option; `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`.
+pub fn minkowski_sum(a: &Polygon, b: &Polygon, options: &Options) -> Result<OuterFace, Error> {
+    // SAFETY: the polygons are alive, the options are for the call.
+    outer_face(options, |options, out| unsafe {
+        sys::gcv_minkowski_sum(a.as_ptr(), b.as_ptr(), options, out)
+    })
+}
+
+/// The no-fit polygon fixed + (-moving) + reference.
+///
+/// It is where the point `reference`, tied to `moving`, may go while the two polygons
+/// touch: inside the ring they overlap, outside they are apart.
+///
+/// # Errors
+/// As [`minkowski_sum`], and `GCV_ERR_NOT_FINITE` for the reference point.
+pub fn no_fit_polygon(
+    fixed: &Polygon,
+    moving: &Polygon,
+    reference: [f64; 2],
+    options: &Options,
+) -> Result<OuterFace, Error> {
+    let (fixed, moving, point) = (fixed.as_ptr(), moving.as_ptr(), reference.as_ptr());
+    // SAFETY: the polygons and the point are alive, the options are for the call.
+    outer_face(options, |options, out| unsafe {
+        sys::gcv_no_fit_polygon(fixed, moving, point, options, out)
+    })
+}
+
+/// Shi's entrance block E(A, B) = B + (-A) + a0.
+///
+/// It is where the point `a0`, tied to block A, may go while A and B touch.
+///
+/// # Errors
+/// As [`no_fit_polygon`].
+pub fn entrance_block(
+    a: &Polygon,
+    b: &Polygon,
+    a0: [f64; 2],
+    options: &Options,
+) -> Result<OuterFace, Error> {
+    let (a, b, point) = (a.as_ptr(), b.as_ptr(), a0.as_ptr());
+    // SAFETY: the polygons and the point are alive, the options are for the call.
+    outer_face(options, |options, out| unsafe {
+        sys::gcv_entrance_block(a, b, point, options, out)
+    })
+}
+
+fn outer_face(
+    options: &Options,
+    call: impl FnOnce(*const sys::gcv_options, *mut *mut sys::gcv_outer_face) -> i32,
+) -> Result<OuterFace, Error> {
+    options.pass(|options| create(|out| call(options, out)).map(OuterFace::from_handle))
+}
+
+/// The outer face of every sum of a pair, in their order.
+///
+/// The pairs are shared out over the threads of the options. All are computed before the
+/// first result is there to take.
+///
+/// ```
+/// use gcv::{minkowski_sum_many, Options, Polygon};
+///
+/// # fn main() -> Result<(), gcv::Error> {
+/// let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]])?;
+/// let triangle = Polygon::new(&[[0., 0.], [1., 0.], [0., 1.]])?;
+/// let pairs = [(&square, &square), (&square, &triangle)];
+/// let faces: Vec<_> = minkowski_sum_many(pairs, &Options::new().threads(0))
+///     .collect::<Result<_, _>>()?;
+/// assert_eq!(faces[0].area()?, 4.);
+/// assert_eq!(faces[1].area()?, 3.5);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// Each result is as that of [`minkowski_sum`]; the first message says what the pair's
+/// number is and what it failed for, those of later pairs only their numbers and
+/// statuses. Where the call as a whole fails, for an option, when it is cancelled or
+/// without memory, every pair has that error.
+pub fn minkowski_sum_many<'p>(
+    pairs: impl IntoIterator<Item = (&'p Polygon, &'p Polygon)>,
+    options: &Options,
+) -> vec::IntoIter<Result<OuterFace, Error>> {
+    let (a, b): (Vec<_>, Vec<_>) = pairs
+        .into_iter()
+        .map(|(a, b)| (a.as_ptr(), b.as_ptr()))
+        .unzip();
+    let count = a.len();
+    let results: Vec<_> = options.pass(|options| {
+        let mut faces = vec![ptr::null_mut(); count];
+        let mut statuses = vec![sys::GCV_OK; count];
+        let (out, status) = (faces.as_mut_ptr(), statuses.as_mut_ptr());
+        // SAFETY: the polygons are alive, the options are for the call, and there is room
+        // for as many results as there are pairs.
+        let done = check(unsafe {
+            sys::gcv_minkowski_sum_many(a.as_ptr(), b.as_ptr(), count, options, out, status)
+        });
+        match done {
+            Ok(()) => each(&faces, &statuses),
+            Err(error) => (0..count).map(|_| Err(error.clone())).collect(),
+        }
+    });
+    results.into_iter()
+}
+
+/// Takes the outer faces, or the status where there is none. The library's message is
+/// about the first of those.
+fn each(faces: &[*mut sys::gcv_outer_face], statuses: &[i32]) -> Vec<Result<OuterFace, Error>> {
+    let mut first_message = Some(last_error_message());
+    let mut results = Vec::with_capacity(faces.len());
+    for (index, (&face, &status)) in faces.iter().zip(statuses).enumerate() {
+        results.push(match NonNull::new(face) {
+            Some(face) => Ok(OuterFace::from_handle(face)),
+            None => {
+                let message = first_message.take();
+                let message =
+                    message.unwrap_or_else(|| format!("pair {index}: {}", status_name(status)));
+                Err(Error { status, message })
+            }
+        });
+    }
+    results
+}
+
+/// One edge of the superset.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SupersetEdge {
+    /// Where it begins.
+    pub from: [f64; 2],
+    /// Where it ends.
+    pub to: [f64; 2],
+    /// Where it comes from.
+    pub source: EdgeSource,
+}
+
+/// The superset of the outer face of A + B that the paper builds, for plots and tests.
+///
+/// It can have in the order of n m edges; sums do not need it.
+///
+/// # Errors
+/// `GCV_ERR_RANGE` where a coordinate is no finite `f64`; `GCV_ERR_NO_MEMORY`.
+pub fn superset(a: &Polygon, b: &Polygon) -> Result<Vec<SupersetEdge>, Error> {
+    // SAFETY: the polygons are alive.
+    let superset = create(|out| unsafe { sys::gcv_superset_create(a.as_ptr(), b.as_ptr(), out) })?;
+    // SAFETY: see `elements`.
+    let edges: Vec<sys::gcv_superset_edge> = elements(|out, capacity, required| unsafe {
+        sys::gcv_superset_edges(superset.as_ptr(), out, capacity, required)
+    });
+    // SAFETY: the superset is owned and not used again.
+    unsafe { sys::gcv_superset_destroy(superset.as_ptr()) };
+    let convert = |edge: sys::gcv_superset_edge| SupersetEdge {
+        from: [edge.x0, edge.y0],
+        to: [edge.x1, edge.y1],
+        source: edge.source.into(),
+    };
+    Ok(edges.into_iter().map(convert).collect())
+}

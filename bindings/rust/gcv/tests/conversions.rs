@@ -1,0 +1,57 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+//! From and to the types of other crates, each behind the feature of its name.
+
+use gcv::{minkowski_sum, Options, OuterFace, Polygon};
+
+fn sum() -> OuterFace {
+    let notched = Polygon::new(&[[0., 0.], [8., 0.], [8., 6.], [3., 1.], [0., 7.]]).unwrap();
+    let triangle = Polygon::new(&[[0., 0.], [1., 0.], [0., 1.]]).unwrap();
+    minkowski_sum(&notched, &triangle, &Options::new()).unwrap()
+}
+
+#[cfg(feature = "geo-types")]
+#[test]
+fn geo_types_there_and_back() {
+    let face = sum();
+    let geo = geo_types::Polygon::from(&face);
+    assert!(geo.exterior().is_closed());
+    assert_eq!(geo.exterior().0.len(), face.vertices().len() + 1);
+
+    let polygon = Polygon::try_from(&geo).unwrap();
+    assert_eq!(polygon.vertices(), face.vertices());
+    assert_eq!(geo_types::Polygon::from(&polygon), geo);
+}
+
+#[cfg(feature = "geo-types")]
+#[test]
+fn geo_types_with_holes_and_without_area() {
+    let ring = |vertices: &[[f64; 2]]| geo_types::LineString::from(vertices.to_vec());
+    let square = [[0., 0.], [9., 0.], [9., 9.], [0., 9.]];
+    let hole = ring(&[[1., 1.], [2., 1.], [1., 2.]]);
+    let polygon = Polygon::try_from(geo_types::Polygon::new(ring(&square), vec![hole]));
+    assert_eq!(polygon.unwrap().vertices(), square);
+
+    let error = Polygon::try_from(geo_types::Polygon::new(ring(&[]), vec![])).unwrap_err();
+    assert_eq!(error.status, gcv::status::GCV_ERR_DEGENERATE);
+}
+
+#[cfg(feature = "num-rational")]
+#[test]
+fn rationals() {
+    let face = sum();
+    let rationals = face.exact_rationals();
+    let texts = rationals
+        .iter()
+        .map(|[x, y]| format!("{}/{} {}/{}", x.numer(), x.denom(), y.numer(), y.denom()));
+    assert_eq!(texts.collect::<Vec<_>>(), face.exact_vertices());
+    assert_eq!(rationals[4][0].numer(), &10.into());
+}
+
+#[test]
+fn wkt_there_and_back() {
+    let face = sum();
+    let polygon = Polygon::from_wkt(&face.wkt()).unwrap();
+    assert_eq!(polygon.vertices(), face.vertices());
+}

@@ -1,0 +1,91 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+//! The corpus of the source tree, tests/corpus, which the tests of all languages read.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+
+use gcv::{entrance_block, minkowski_sum, no_fit_polygon, Error, Options, OuterFace, Polygon};
+
+/// The text of the corpus; none in a package, where cargo leaves its Cargo.toml.orig.
+fn corpus() -> Option<String> {
+    let package = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let file = package.join("../../../tests/corpus/cases.txt");
+    if package.join("Cargo.toml.orig").exists() && !file.exists() {
+        eprintln!("The corpus is in the source tree of libgcv, not in this package.");
+        return None;
+    }
+    Some(fs::read_to_string(&file).unwrap_or_else(|error| panic!("{}: {error}", file.display())))
+}
+
+/// The status, and the exact ring where there is one, as the corpus has them.
+fn outcome(face: Result<OuterFace, Error>) -> String {
+    match face {
+        Ok(face) => format!("GCV_OK {}", face.exact_vertices().join(", ")),
+        Err(error) => error.status_name(),
+    }
+}
+
+/// "X Y REST" as the point and the rest.
+fn point(text: &str) -> ([f64; 2], &str) {
+    let mut words = text.splitn(3, ' ');
+    let mut next = || words.next().unwrap();
+    let point = [next(), next()].map(|word| word.parse().unwrap());
+    (point, next())
+}
+
+#[test]
+fn every_case() {
+    if let Some(corpus) = corpus() {
+        check(&corpus);
+    }
+}
+
+fn check(corpus: &str) {
+    let options = Options::new();
+    let (mut name, mut operands) = ("", BTreeMap::new());
+    let mut seen = BTreeMap::<_, u32>::new();
+    for line in corpus
+        .lines()
+        .filter(|line| !line.is_empty() && !line.starts_with('#'))
+    {
+        let (key, rest) = line.split_once(' ').unwrap();
+        *seen.entry(key).or_default() += 1;
+        let (found, expected) = match key {
+            "case" => {
+                name = rest;
+                continue;
+            }
+            "a" | "b" => {
+                operands.insert(key, Polygon::from_wkt(rest).unwrap());
+                continue;
+            }
+            "refuse" => {
+                let (status, wkt) = rest.split_once(' ').unwrap();
+                let error = Polygon::from_wkt(wkt).unwrap_err();
+                (error.status_name(), status)
+            }
+            "sum" => (
+                outcome(minkowski_sum(&operands["a"], &operands["b"], &options)),
+                rest,
+            ),
+            "no_fit" | "entrance" => {
+                let (point, expected) = point(rest);
+                let compute = if key == "no_fit" {
+                    no_fit_polygon
+                } else {
+                    entrance_block
+                };
+                let face = compute(&operands["a"], &operands["b"], point, &options);
+                (outcome(face), expected)
+            }
+            _ => panic!("{name}: what is {key}?"),
+        };
+        assert_eq!(found, expected, "{name}: {key}");
+    }
+    assert!(["sum", "no_fit", "entrance", "refuse"]
+        .iter()
+        .all(|key| seen.contains_key(key)));
+}

@@ -1,0 +1,200 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+//! Options, progress, cancelling, and many sums in one call.
+
+use std::ops::ControlFlow::{Break, Continue};
+use std::panic::{catch_unwind, AssertUnwindSafe};
+
+use gcv::status::*;
+use gcv::{entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon};
+use gcv::{Options, Polygon, Rounding};
+
+/// A star of `4 * quarter` vertices near a circle, every other one pulled inwards.
+fn star(quarter: usize) -> Polygon {
+    let vertex = |k: usize| {
+        let t = (k % quarter) as f64 / quarter as f64;
+        let radius = if k % 2 == 0 { 1000. } else { 999. - t } / (1. + t * t);
+        let (c, s) = (radius * (1. - t * t), radius * 2. * t);
+        [[c, s], [-s, c], [-c, -s], [s, -c]][k / quarter]
+    };
+    Polygon::new(&(0..4 * quarter).map(vertex).collect::<Vec<_>>()).unwrap()
+}
+
+fn triangle() -> Polygon {
+    Polygon::new(&[[0., 0.], [1., 0.], [0., 1.]]).unwrap()
+}
+
+fn huge() -> Polygon {
+    Polygon::new(&[[0., 0.], [1.7e308, 0.], [0., 1.7e308]]).unwrap()
+}
+
+#[test]
+fn outward_contains_nearest() {
+    let notched = Polygon::from_wkt("POLYGON ((0 0, 8 0, 8 6, 3 1, 0 7))").unwrap();
+    let area = |rounding| {
+        let options = Options::new().rounding(rounding);
+        let face = minkowski_sum(&notched, &triangle(), &options).unwrap();
+        (face.vertices()[4], face.area().unwrap())
+    };
+    let (nearest, outward) = (area(Rounding::Nearest), area(Rounding::Outward));
+    assert_ne!(nearest.0, outward.0);
+    assert!(nearest.1 < outward.1 && outward.1 < nearest.1 + 1e-12);
+}
+
+#[test]
+fn tolerance_is_passed_on() {
+    let triangle = triangle();
+    let options = Options::new().tolerance(0.5);
+    for face in [
+        minkowski_sum(&triangle, &triangle, &options),
+        no_fit_polygon(&triangle, &triangle, [0., 0.], &options),
+        entrance_block(&triangle, &triangle, [0., 0.], &options),
+    ] {
+        let error = face.unwrap_err();
+        assert_eq!(error.status, GCV_ERR_INVALID_ARGUMENT);
+        assert!(error.message.contains("tolerance is 0.5"), "{error}");
+    }
+}
+
+#[test]
+fn threads_give_the_same() {
+    let star = star(50);
+    let sum = |threads| {
+        let face = minkowski_sum(&star, &star, &Options::new().threads(threads)).unwrap();
+        (face.wkt(), face.sources())
+    };
+    let one = sum(1);
+    for threads in [0, 2, 5, usize::MAX] {
+        assert_eq!(sum(threads), one);
+    }
+}
+
+#[test]
+fn progress_is_reported() {
+    let star = star(300);
+    let mut reports = vec![];
+    let options = Options::new().progress(|done, estimate| {
+        reports.push((done, estimate));
+        Continue(())
+    });
+    let face = minkowski_sum(&star, &star, &options).unwrap();
+    drop(options);
+    assert_eq!(
+        face.wkt(),
+        minkowski_sum(&star, &star, &Options::new()).unwrap().wkt()
+    );
+    assert!(reports.len() >= 3, "{reports:?}");
+    assert!(
+        reports.windows(2).all(|pair| pair[0].0 <= pair[1].0),
+        "{reports:?}"
+    );
+    assert!(
+        reports.iter().all(|(done, estimate)| done <= estimate),
+        "{reports:?}"
+    );
+}
+
+#[test]
+fn breaking_cancels() {
+    let star = star(300);
+    for last in 1..=3 {
+        let mut reports = 0;
+        let options = Options::new().progress(|_, _| {
+            reports += 1;
+            if reports == last {
+                Break(())
+            } else {
+                Continue(())
+            }
+        });
+        let error = minkowski_sum(&star, &star, &options).unwrap_err();
+        assert_eq!(error.status, GCV_ERR_CANCELLED);
+        let pairs = [(&star, &star)];
+        drop(options);
+        assert_eq!(reports, last);
+
+        let options = Options::new().progress(|_, _| Break(()));
+        let error = minkowski_sum_many(pairs, &options)
+            .next()
+            .unwrap()
+            .unwrap_err();
+        assert_eq!(error.status, GCV_ERR_CANCELLED);
+    }
+}
+
+#[test]
+fn panics_go_on_in_the_caller() {
+    let star = star(10);
+    let options = Options::new().progress(|_, _| panic!("out of patience"));
+    // Twice: a panic does not spoil the options.
+    for _ in 0..2 {
+        let sum = AssertUnwindSafe(|| minkowski_sum(&star, &star, &options));
+        let panic = catch_unwind(sum).unwrap_err();
+        assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
+        let sums = AssertUnwindSafe(|| minkowski_sum_many([(&star, &star)], &options));
+        let panic = catch_unwind(sums).unwrap_err();
+        assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
+    }
+}
+
+#[test]
+fn options_may_be_shared() {
+    let star = star(20);
+    let mut reports = 0;
+    let options = Options::new().progress(|_, _| {
+        reports += 1;
+        Continue(())
+    });
+    std::thread::scope(|scope| {
+        let sum = || minkowski_sum(&star, &star, &options.clone()).unwrap();
+        scope.spawn(sum);
+        scope.spawn(sum);
+    });
+    assert!(format!("{options:?}").contains("progress: true"));
+    drop(options);
+    assert!(reports >= 4);
+}
+
+#[test]
+fn many() {
+    let (star, triangle, huge) = (star(10), triangle(), huge());
+    let polygons = [&star, &triangle, &huge, &star, &huge];
+    let pairs: Vec<_> = polygons
+        .iter()
+        .zip(polygons)
+        .map(|(&a, b)| (a, b))
+        .collect();
+    for threads in 0..3 {
+        let options = Options::new().threads(threads);
+        let sums = minkowski_sum_many(pairs.iter().copied(), &options);
+        assert_eq!(sums.len(), pairs.len());
+        for (index, (sum, (a, b))) in sums.zip(&pairs).enumerate() {
+            match (sum, minkowski_sum(a, b, &options)) {
+                (Ok(face), Ok(expected)) => assert_eq!(face.wkt(), expected.wkt()),
+                (Err(error), Err(expected)) => {
+                    assert_eq!(error.status, expected.status);
+                    assert!(
+                        error.message.starts_with(&format!("pair {index}: ")),
+                        "{error}"
+                    );
+                    if index == 2 {
+                        assert!(error.message.ends_with(&expected.message), "{error}");
+                    }
+                }
+                (sum, expected) => panic!("pair {index}: {sum:?}, expected {expected:?}"),
+            }
+        }
+    }
+    assert_eq!(minkowski_sum_many([], &Options::new()).len(), 0);
+}
+
+#[test]
+fn many_with_an_option_that_is_refused() {
+    let triangle = triangle();
+    let pairs = [(&triangle, &triangle); 3];
+    let statuses: Vec<_> = minkowski_sum_many(pairs, &Options::new().tolerance(-1.))
+        .map(|sum| sum.unwrap_err().status)
+        .collect();
+    assert_eq!(statuses, [GCV_ERR_INVALID_ARGUMENT; 3]);
+}

@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * The conveniences of gcvx.h: what they give is what gcv.h gives; files that cannot be read;
+ * memory that runs out at every allocation in turn.
+ */
+#include <stdlib.h>
+
+/* How many allocations may still succeed; below 0: all. */
+static int allocations_left = -1;
+
+static void *scarce_realloc(void *memory, size_t size) {
+  if (allocations_left == 0) return NULL;
+  if (allocations_left > 0) --allocations_left;
+  return realloc(memory, size);
+}
+
+#define malloc(size) scarce_realloc(NULL, size)
+#define realloc scarce_realloc
+#include <gcv/gcvx.h>
+#undef malloc
+#undef realloc
+
+#include "handles.h"
+
+static const char *const FILE_NAME = "conveniences_test.wkt";
+
+/* Calls with no memory, then with memory. */
+#define CHECK_ALLOCATED(call)            \
+  do {                                   \
+    allocations_left = 0;                \
+    CHECK_STATUS(GCVX_ERR_SYSTEM, call); \
+    allocations_left = -1;               \
+    CHECK_OK(call);                      \
+  } while (0)
+
+static void arrays_and_texts(void) {
+  gcv_polygon *a = POLYGON(0, 0, 8, 0, 8, 6, 3, 1, 0, 7), *b = POLYGON(0, 0, 1, 0, 0, 1);
+  gcv_outer_face *face = sum_of(a, b);
+  gcv_superset *superset = NULL;
+  gcv_edge_source *sources = NULL, expected_sources[MOST_VERTICES];
+  gcv_superset_edge *edges = NULL, expected_edges[MOST_VERTICES];
+  double *xy = NULL;
+  char *text = NULL, expected[MOST_TEXT];
+  size_t count = 0, required = 0;
+  CHECK_OK(gcv_superset_create(a, b, &superset));
+
+  CHECK_ALLOCATED(gcvx_polygon_vertices(a, &xy, &count));
+  CHECK(polygon_is(a, xy, count));
+  free(xy);
+
+  CHECK_ALLOCATED(gcvx_outer_face_vertices(face, &xy, &count));
+  CHECK(face_is(face, xy, count));
+  free(xy);
+
+  CHECK_ALLOCATED(gcvx_outer_face_edge_sources(face, &sources, &count));
+  CHECK_OK(gcv_outer_face_edge_sources(face, expected_sources, MOST_VERTICES, &required));
+  CHECK(count == required && memcmp(sources, expected_sources, count * sizeof *sources) == 0);
+  free(sources);
+
+  CHECK_ALLOCATED(gcvx_superset_edges(superset, &edges, &count));
+  CHECK_OK(gcv_superset_edges(superset, expected_edges, MOST_VERTICES, &required));
+  CHECK(count == required && memcmp(edges, expected_edges, 4 * sizeof(double)) == 0);
+  CHECK(edges[count - 1].source.kind == expected_edges[count - 1].source.kind);
+  free(edges);
+
+  CHECK_ALLOCATED(gcvx_outer_face_wkt(face, &text));
+  CHECK_OK(gcv_outer_face_wkt(face, expected, MOST_TEXT, &required));
+  CHECK(strcmp(text, expected) == 0);
+  free(text);
+
+  CHECK_ALLOCATED(gcvx_outer_face_exact_vertex(face, 4, &text));
+  CHECK(strcmp(text, "10/3 7/3") == 0);
+  free(text);
+
+  gcv_superset_destroy(superset);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
+static void refused(void) {
+  gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  gcv_outer_face *face = sum_of(square, square);
+  double *xy = NULL;
+  char *text = NULL;
+  size_t count = 7;
+  CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_polygon_vertices(NULL, &xy, &count));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "", gcvx_outer_face_exact_vertex(face, 4, &text));
+  CHECK(xy == NULL && count == 7 && text == NULL);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(square);
+}
+
+static int write_file(const char *text, size_t length) {
+  FILE *file = fopen(FILE_NAME, "wb");
+  const int written = file != NULL && fwrite(text, 1, length, file) == length;
+  return file != NULL && fclose(file) == 0 && written;
+}
+
+static void files(void) {
+  enum { BLANKS = 10000 };
+  static char text[BLANKS + 64];
+  const char square[] = "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))";
+  gcv_polygon *polygon = NULL;
+  int k;
+  CHECK(write_file(square, sizeof square - 1));
+  CHECK_OK(gcvx_polygon_read_wkt(FILE_NAME, &polygon));
+  CHECK(polygon_is(polygon, RING(0, 0, 1, 0, 1, 1, 0, 1)));
+  gcv_polygon_destroy(polygon);
+
+  /* More than one read; three allocations. */
+  memset(text, ' ', BLANKS);
+  strcpy(text + BLANKS, square);
+  CHECK(write_file(text, strlen(text)));
+  for (k = 0; k < 3; ++k) {
+    polygon = NULL;
+    allocations_left = k;
+    CHECK_STATUS(GCVX_ERR_SYSTEM, gcvx_polygon_read_wkt(FILE_NAME, &polygon));
+    CHECK(polygon == NULL);
+  }
+  allocations_left = 3;
+  CHECK_OK(gcvx_polygon_read_wkt(FILE_NAME, &polygon));
+  CHECK(allocations_left == 0);
+  allocations_left = -1;
+  CHECK(polygon_is(polygon, RING(0, 0, 1, 0, 1, 1, 0, 1)));
+  gcv_polygon_destroy(polygon);
+
+  polygon = NULL;
+  CHECK(write_file("", 0));
+  CHECK_REFUSED(GCV_ERR_PARSE, "", gcvx_polygon_read_wkt(FILE_NAME, &polygon));
+  errno = 0;
+  CHECK_STATUS(GCVX_ERR_SYSTEM, gcvx_polygon_read_wkt(".", &polygon));
+  CHECK(errno == EISDIR);
+  CHECK(remove(FILE_NAME) == 0);
+  CHECK_STATUS(GCVX_ERR_SYSTEM, gcvx_polygon_read_wkt(FILE_NAME, &polygon));
+  CHECK(errno == ENOENT && polygon == NULL);
+}
+
+static void messages(void) {
+  char text[GCVX_MESSAGE_SIZE], expected[GCVX_MESSAGE_SIZE];
+  gcv_polygon *none = NULL;
+  const gcv_status status = gcv_polygon_create_wkt("POLYGON", 7, &none);
+  sprintf(expected, "GCV_ERR_PARSE: %s", gcv_last_error_message());
+  CHECK(strcmp(gcvx_message(status, text), expected) == 0);
+  CHECK(strcmp(gcvx_message(GCV_OK, text), "GCV_OK") == 0);
+  errno = ENOENT;
+  sprintf(expected, "GCVX_ERR_SYSTEM: %s", strerror(ENOENT));
+  CHECK(strcmp(gcvx_message(GCVX_ERR_SYSTEM, text), expected) == 0);
+}
+
+int main(void) {
+  arrays_and_texts();
+  refused();
+  files();
+  messages();
+  return check_failures != 0;
+}

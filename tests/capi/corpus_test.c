@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: LGPL-3.0-or-later
+ *
+ * The cases of tests/corpus, which README.md there describes. Takes the file's name.
+ */
+#include <stdlib.h>
+
+#include "check.h"
+
+enum { MOST_LINE = 4096 };
+
+static gcv_polygon *a = NULL, *b = NULL;
+
+static void replace(gcv_polygon **polygon, const char *wkt) {
+  gcv_polygon_destroy(*polygon);
+  *polygon = NULL;
+  CHECK_OK(gcv_polygon_create_wkt(wkt, strlen(wkt), polygon));
+}
+
+/* Appends the status, and the exact ring if there is one, as a line of the file has them. */
+static void append_outcome(char *line, gcv_status status, const gcv_outer_face *face) {
+  size_t count = 0, required, i;
+  strcat(line, gcv_status_name(status));
+  if (status != GCV_OK) return;
+  CHECK_OK(gcv_outer_face_exact_vertex_count(face, &count));
+  for (i = 0; i < count; ++i) {
+    const size_t length = strlen(strcat(line, i == 0 ? " " : ", "));
+    CHECK_OK(
+        gcv_outer_face_exact_vertex(face, i, line + length, MOST_LINE - 2 - length, &required));
+  }
+}
+
+/* Does what a line says, and writes the line that it should be. */
+static void follow(const char *line, char *should_be) {
+  char word[MOST_LINE] = "", x[64], y[64], status_name[64];
+  double point[2];
+  int end = 0;
+  gcv_status status;
+  gcv_outer_face *face = NULL;
+  gcv_polygon *polygon = NULL;
+  strcpy(should_be, line);
+  sscanf(line, "%s", word);
+  if (strcmp(word, "a") == 0) {
+    replace(&a, line + 2);
+  } else if (strcmp(word, "b") == 0) {
+    replace(&b, line + 2);
+  } else if (sscanf(line, "refuse %63s %n", status_name, &end) == 1) {
+    status = gcv_polygon_create_wkt(line + end, strlen(line + end), &polygon);
+    sprintf(should_be, "refuse %s %s", gcv_status_name(status), line + end);
+    gcv_polygon_destroy(polygon);
+  } else if (strcmp(word, "sum") == 0) {
+    status = gcv_minkowski_sum(a, b, NULL, &face);
+    strcpy(should_be, "sum ");
+    append_outcome(should_be, status, face);
+  } else if (sscanf(line, "%*s %63s %63s", x, y) == 2) {
+    const int no_fit = strcmp(word, "no_fit") == 0;
+    CHECK(no_fit || strcmp(word, "entrance") == 0);
+    point[0] = strtod(x, NULL);
+    point[1] = strtod(y, NULL);
+    status = no_fit ? gcv_no_fit_polygon(a, b, point, NULL, &face)
+                    : gcv_entrance_block(a, b, point, NULL, &face);
+    sprintf(should_be, "%s %s %s ", word, x, y);
+    append_outcome(should_be, status, face);
+  } else {
+    CHECK(strcmp(word, "case") == 0);
+  }
+  gcv_outer_face_destroy(face);
+}
+
+int main(int argc, char **argv) {
+  static char line[MOST_LINE], should_be[2 * MOST_LINE];
+  FILE *file = argc == 2 ? fopen(argv[1], "r") : NULL;
+  int number = 0, tried = 0;
+  if (!CHECK(file != NULL)) return 1;
+  while (fgets(line, sizeof line, file) != NULL) {
+    ++number;
+    line[strcspn(line, "\n")] = '\0';
+    if (line[0] == '\0' || line[0] == '#') continue;
+    follow(line, should_be);
+    ++tried;
+    if (!CHECK(strcmp(line, should_be) == 0)) {
+      fprintf(stderr, "%s:%d: %s\n  should be: %s\n", argv[1], number, line, should_be);
+    }
+  }
+  CHECK(tried > 150);
+  fclose(file);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+  return check_failures != 0;
+}
