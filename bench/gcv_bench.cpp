@@ -42,9 +42,11 @@ PolygonHandle create(const Ring& ring) {
   return {polygon, gcv_polygon_destroy};
 }
 
-FaceHandle sum(const PolygonHandle& a, const PolygonHandle& b) {
+FaceHandle sum(const PolygonHandle& a, const PolygonHandle& b, int threads = 1) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.threads = threads;
   gcv_outer_face* face = nullptr;
-  check(gcv_minkowski_sum(a.get(), b.get(), nullptr, &face));
+  check(gcv_minkowski_sum(a.get(), b.get(), &options, &face));
   return {face, gcv_outer_face_destroy};
 }
 
@@ -88,6 +90,15 @@ void bench_sum_and_copy(benchmark::State& state, const Pair& pair) {
   state.counters["vertices"] = static_cast<double>(vertices);
 }
 
+// By the wall clock, for the benchmark's argument as the number of threads.
+void bench_threads(benchmark::State& state, const Pair& pair) {
+  const PolygonHandle a = create(pair.a);
+  const PolygonHandle b = create(pair.b);
+  for (auto _ : state) {
+    benchmark::DoNotOptimize(sum(a, b, static_cast<int>(state.range(0))));
+  }
+}
+
 void add(const std::string& name, const Pair& pair) {
   const auto with = [&](const char* part, auto* function) {
     benchmark::RegisterBenchmark((name + "/" + part).c_str(), [pair,
@@ -116,6 +127,14 @@ int main(int argc, char** argv) {
   add("combs_9", {bench::comb(9), bench::quarter_turned(bench::comb(9))});
   add("coasts_100", pair_of(100, bench::coast));
   add("coasts_10000", pair_of(10000, bench::coast));
+  benchmark::RegisterBenchmark("coasts_100000/threads",
+                               [pair = pair_of(100000, bench::coast)](benchmark::State& state) {
+                                 bench_threads(state, pair);
+                               })
+      ->Arg(1)
+      ->Arg(2)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }

@@ -61,14 +61,6 @@ struct ChainTree {
   }
 };
 
-// The chains of edges below the children of one node, from each vertex (x, y) to the next: no
-// point of a chain is further than its radius from the segment between its ends.
-struct CapsuleBlock {
-  double x[ChainTree::width + 1];
-  double y[ChainTree::width + 1];
-  double radius[ChainTree::width];
-};
-
 // Calls visit(lane) for every bit that is set, the lowest first.
 template <class Visit>
 void for_each_lane(unsigned lanes, Visit visit) {
@@ -93,9 +85,6 @@ ChainTree build_chain_tree(std::span<const Box> edges);
 
 // The tree over the edges of the closed ring.
 ChainTree build_chain_tree(std::span<const Point> ring);
-
-// The capsules for the blocks of the tree over that ring. O(n log n).
-std::vector<CapsuleBlock> build_capsules(const ChainTree& tree, std::span<const Point> ring);
 
 // Calls visit(i, j) for every pair of edges whose boxes overlap, once.
 template <class Visit>

@@ -16,6 +16,9 @@ Walk merge_convex(const Operands& operands) {
   Index left_of_b = b.size();
   Walk walk;
   PairEdge arriving{};
+  walk.vertices.reserve(left_of_a + left_of_b);
+  walk.leaving.reserve(left_of_a + left_of_b);
+  walk.arriving.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
     const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
     const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);

@@ -256,6 +256,10 @@ class Walker {
 
   // The first vertex has no arriving edge yet: it is that of the walk that ends there.
   Arc run(const HullVertex& first, const HullVertex& last) {
+    const std::size_t guess = std::min<std::size_t>(operands_.a.size() + operands_.b.size(), 4096);
+    walk_.vertices.reserve(guess);
+    walk_.leaving.reserve(guess);
+    walk_.arriving.reserve(guess);
     Place place = sum_place(first.i, first.j);
     Line line = line_of(first_edge(first.i, first.j));
     append(place, line, line);

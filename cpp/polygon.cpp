@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "error.hpp"
 #include "predicates.hpp"
@@ -82,7 +83,34 @@ bool turns_back(const Point& p, const Point& q, const Point& r) {
   return p.x == q.x ? (p.y < q.y) != (q.y < r.y) : (p.x < q.x) != (q.x < r.x);
 }
 
+bool points_up(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
+
+// Does the chain turn the same way at every vertex, and once round in all? Then it is the
+// boundary of a convex polygon, and simple. Turning by less than half a turn each time, it
+// goes round once where its edges change once from pointing up to pointing down.
+bool is_convex_ring(const Chain& chain, Tally& tally) {
+  const std::size_t n = chain.size();
+  const auto turn_at = [&](std::size_t i) {
+    return orientation(chain.points[chain.previous(i)], chain.points[i],
+                       chain.points[chain.next(i)], tally);
+  };
+  const int sense = turn_at(0);
+  std::size_t changes = 0;
+  bool up = points_up(chain.points[n - 1], chain.points[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (sense == 0 || turn_at(i) != sense) {
+      return false;
+    }
+    const bool was_up = std::exchange(up, points_up(chain.points[i], chain.points[chain.next(i)]));
+    changes += was_up && !up ? 1 : 0;
+  }
+  return changes == 1;
+}
+
 void check_simple(const Chain& chain, const char* name, Tally& tally) {
+  if (is_convex_ring(chain, tally)) {
+    return;
+  }
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const std::size_t before = chain.previous(i);
     const Point& p = chain.points[before];
@@ -158,7 +186,7 @@ void sort_directions(Polygon& polygon, Tally& tally) {
   for (Index i = 0; i < n; ++i) {
     const Point& p = polygon.vertices[i];
     const Point& q = polygon.vertices[polygon.next(i)];
-    polygon.upper[i] = p.y < q.y || (p.y == q.y && p.x < q.x);
+    polygon.upper[i] = points_up(p, q);
     keys[i] = polygon.upper[i] != 0 ? direction_key(q.x - p.x, q.y - p.y)
                                     : direction_key(p.x - q.x, p.y - q.y);
   }
@@ -176,7 +204,19 @@ void sort_directions(Polygon& polygon, Tally& tally) {
   };
   std::vector<Index> order(n);
   std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(), [&](Index i, Index j) { return compare(i, j) > 0; });
+  const auto before = [&](Index i, Index j) { return compare(i, j) > 0; };
+  if (polygon.is_convex) {
+    // The lowest vertex starts the edges that point up, the highest those that point down.
+    const auto up = std::find_if(order.begin(), order.end(), [&](Index i) {
+      return polygon.upper[i] != 0 && polygon.upper[polygon.previous(i)] == 0;
+    });
+    std::rotate(order.begin(), up, order.end());
+    const auto down =
+        std::find_if(order.begin(), order.end(), [&](Index i) { return polygon.upper[i] == 0; });
+    std::inplace_merge(order.begin(), down, order.end(), before);
+  } else {
+    std::sort(order.begin(), order.end(), before);
+  }
   polygon.line_of_edge.resize(n);
   for (Index k = 0; k < n; ++k) {
     if (k == 0 || compare(order[k - 1], order[k]) != 0) {

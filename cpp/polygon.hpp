@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "capsules.hpp"
 #include "chain_tree.hpp"
 #include "point.hpp"
 

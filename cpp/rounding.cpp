@@ -9,6 +9,7 @@
 
 #include "error.hpp"
 #include "exact_coordinates.hpp"
+#include "parallel.hpp"
 #include "repair.hpp"
 #include "simplicity.hpp"
 #include "to_double.hpp"
@@ -108,23 +109,38 @@ std::vector<Point> ring_through(const std::vector<Point>& places) {
 }
 
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
+  struct Portion {
+    double error_bound = 0;
+    Tally tally;
+  };
   Placement placement;
-  placement.places.reserve(ring.size());
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (k % Task::portion == 0) {
-      task.advance(std::min<std::size_t>(Task::portion, ring.size() - k));
+  placement.places.resize(ring.size());
+  std::vector<Portion> portions((ring.size() + Task::portion - 1) / Task::portion);
+  for_each_in_parallel(portions.size(), task.threads(), [&](std::size_t number) {
+    Portion& portion = portions[number];
+    const std::size_t first = number * Task::portion;
+    const std::size_t last = std::min<std::size_t>(first + Task::portion, ring.size());
+    for (std::size_t k = first; k < last; ++k) {
+      const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
+      check_finite(ring, k, vertex);
+      placement.places[k] = {vertex.x.value, vertex.y.value};
+      portion.error_bound = std::max(
+          portion.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
     }
-    const RoundedVertex vertex = rounded_vertex(ring, k, tally);
-    check_finite(ring, k, vertex);
-    placement.places.push_back({vertex.x.value, vertex.y.value});
-    placement.error_bound = std::max(
-        placement.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
+    task.advance(last - first);
+  });
+  for (const Portion& portion : portions) {
+    placement.error_bound = std::max(placement.error_bound, portion.error_bound);
+    tally += portion.tally;
   }
   return placement;
 }
 
 std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally) {
   const Placement nearest = place_nearest(ring, task, tally);
+  if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
+    return nearest;
+  }
   const std::vector<Point> snapped = snap(nearest.places).vertices;
   if (snapped.size() >= 3 && !find_conflict(snapped) && is_counter_clockwise(snapped)) {
     return nearest;
