@@ -236,7 +236,7 @@ class Batch {
     try {
       require(a_[k], "a");
       require(b_[k], "b");
-      faces_[k].reset(new gcv_outer_face{gcv::minkowski_sum(
+      faces_[k] = std::make_unique<gcv_outer_face>(gcv_outer_face{gcv::minkowski_sum(
           operand(a_[k], "a"), operand(b_[k], "b"), {0, 0}, rounding_of(options_), task)});
     } catch (...) {
       const Error error = gcv::capi::current_error();

@@ -32,8 +32,6 @@ cd "$work"
 
 pc=$(find "$prefix" -name gcv.pc)
 [ -n "$pc" ] || fail "no gcv.pc is installed"
-# The build may have been configured for another prefix.
-sed -i "s|^prefix=.*|prefix=$prefix|" "$pc"
 PKG_CONFIG_PATH=$(dirname "$pc")
 export PKG_CONFIG_PATH
 pkg_config=${PKG_CONFIG:-pkg-config}
