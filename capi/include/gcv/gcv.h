@@ -268,9 +268,9 @@ typedef struct gcv_options {
 #define GCV_OPTIONS_INIT \
   { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL }
 
-/** Sets the default options, with the struct_size of the header of this library: only
- *  for programs that are compiled with it, others start from GCV_OPTIONS_INIT. NULL is allowed and
- * does nothing. @since 0.1 */
+/** Sets the default options, all of the struct of the library that is running: the caller's must
+ *  not be smaller. Programs that may run with a later library than they were compiled for start
+ *  from GCV_OPTIONS_INIT instead. NULL is allowed and does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
 
 /* ------------------------------------------------------------- outer face -- */
