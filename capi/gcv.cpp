@@ -133,7 +133,9 @@ gcv_options read_options(const gcv_options* options) {
 }
 
 unsigned threads_of(const gcv_options& options) {
-  return options.threads == 0 ? gcv::available_threads() : static_cast<unsigned>(options.threads);
+  constexpr std::int32_t most = 256;
+  return options.threads == 0 ? gcv::available_threads()
+                              : static_cast<unsigned>(std::min(options.threads, most));
 }
 
 gcv::Rounding rounding_of(const gcv_options& options) {

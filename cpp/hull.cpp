@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "parallel.hpp"
 #include "predicates.hpp"
 
 namespace gcv {
@@ -62,10 +63,14 @@ std::vector<HullVertex> hull_vertices(const Polygon& a, const Polygon& b, unsign
   if (threads <= 1) {
     return vertices;
   }
-  const unsigned eighth = (std::min(most_arcs, arcs_per_thread * threads) + 7) / 8;
-  for (unsigned k = 1; k < 8 * eighth; ++k) {
-    const Point d = direction(k, eighth);
-    const HullVertex vertex{furthest(a, d), furthest(b, d)};
+  const unsigned eighth =
+      (std::min(most_arcs / arcs_per_thread, threads) * arcs_per_thread + 7) / 8;
+  std::vector<HullVertex> extremes(std::size_t{8} * eighth);
+  for_each_in_parallel(extremes.size(), threads, [&](std::size_t k) {
+    const Point d = direction(static_cast<unsigned>(k), eighth);
+    extremes[k] = {furthest(a, d), furthest(b, d)};
+  });
+  for (const HullVertex& vertex : extremes) {
     const HullVertex& previous = vertices.back();
     if (vertex.i != previous.i || vertex.j != previous.j) {
       vertices.push_back(vertex);

@@ -171,11 +171,16 @@ void start_at_lexicographic_min(Chain& chain) {
   std::rotate(chain.edge.begin(), chain.edge.begin() + shift, chain.edge.end());
 }
 
-// A number that falls as the angle of (dx, dy) grows from 0 to half a turn, off by less than
-// key_tolerance / 2 where each coordinate was rounded once; NaN where it might be off by more.
+// dx / (|dx| + |dy|), which falls as the angle of (dx, dy) grows from 0 to half a turn; NaN
+// where that overflows. With u = 2^-53: each coordinate was rounded once, by u of itself at
+// most, for differences of doubles do not underflow. That moves the exact quotient f by
+// 2u |f| (1 - |f|) <= u / 2, and the sum and the quotient add u |f| <= u each; where the
+// quotient underflows, 2^-1075. So a key is off by less than 3u, a difference of two keys,
+// rounded by 2u, by less than 8u; key_tolerance is 16u. Keys that are further apart than
+// that are in the exact order of their angles.
 double direction_key(double dx, double dy) {
   const double size = std::abs(dx) + std::abs(dy);
-  return size > 1e-290 && size < 1e300 ? dx / size : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(size) ? dx / size : std::numeric_limits<double>::quiet_NaN();
 }
 constexpr double key_tolerance = 8 * std::numeric_limits<double>::epsilon();
 

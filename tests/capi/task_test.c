@@ -74,7 +74,7 @@ static void threads_give_the_same(void) {
                            POLYGON(0, 0, 3, 0, 3, 3, 2, 3, 2, 1, 1, 1, 1, 3, 0, 3),
                            POLYGON(0, 0, -5, 1, -7, -2)};
   const size_t count = sizeof shapes / sizeof *shapes;
-  const int32_t threads[] = {0, 2, 3, 8, 1000};
+  const int32_t threads[] = {0, 2, 3, 8, 1000, 1 << 30, INT32_MAX};
   size_t i, j, k;
   int32_t rounding;
   for (i = 0; i < count; ++i) {

@@ -251,8 +251,8 @@ typedef struct gcv_options {
    *  GCV_ERR_INVALID_ARGUMENT. */
   double tolerance;
   /** How many threads work on the sum, the calling one among them: 1 by default,
-   *  0 for as many as the machine runs at once. The result is the same, to the bit,
-   *  for every number. */
+   *  0 for as many as the machine runs at once; above 256 as 256. The result is the
+   *  same, to the bit, for every number. */
   int32_t threads;
   /** Called now and then during long work, or NULL: at the start, at the end, and in
    *  between at most every few thousand steps; from the calling thread alone, in the
