@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -18,6 +19,7 @@
 #include "minkowski_sum.hpp"
 #include "parallel.hpp"
 #include "polygon.hpp"
+#include "simplification.hpp"
 #include "task.hpp"
 #include "wkt.hpp"
 
@@ -87,6 +89,20 @@ std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_
   return points;
 }
 
+void check_rounding(std::int32_t rounding, const char* where) {
+  if (rounding != GCV_ROUND_NEAREST && rounding != GCV_ROUND_OUTWARD) {
+    throw Error(Status::invalid_argument, "%srounding is %d, neither %d nor %d", where, rounding,
+                static_cast<int>(GCV_ROUND_NEAREST), static_cast<int>(GCV_ROUND_OUTWARD));
+  }
+}
+
+void check_tolerance(double tolerance, const char* where) {
+  if (!(tolerance >= 0 && std::isfinite(tolerance))) {
+    throw Error(Status::invalid_argument, "%stolerance is %g, not a finite number from 0 on", where,
+                tolerance);
+  }
+}
+
 // The options of version 0.1 as it was first: the least that a caller can have.
 struct FirstOptions {
   std::uint32_t struct_size;
@@ -117,15 +133,8 @@ gcv_options read_options(const gcv_options* options) {
     }
   }
   std::memcpy(&known, options, std::min<std::size_t>(size, sizeof known));
-  if (known.rounding != GCV_ROUND_NEAREST && known.rounding != GCV_ROUND_OUTWARD) {
-    throw Error(Status::invalid_argument, "options: rounding is %d, neither %d nor %d",
-                known.rounding, static_cast<int>(GCV_ROUND_NEAREST),
-                static_cast<int>(GCV_ROUND_OUTWARD));
-  }
-  if (!(known.tolerance == 0)) {
-    throw Error(Status::invalid_argument, "options: tolerance is %g, only 0 is known",
-                known.tolerance);
-  }
+  check_rounding(known.rounding, "options: ");
+  check_tolerance(known.tolerance, "options: ");
   if (known.threads < 0) {
     throw Error(Status::invalid_argument, "options: threads is %d, below 0", known.threads);
   }
@@ -147,14 +156,21 @@ std::uint64_t estimated_steps(const gcv::Operand& a, const gcv::Operand& b) {
   return 2 * (std::uint64_t{a.polygon->size()} + b.polygon->size());
 }
 
+// An operand within half of the tolerance: the errors of both add up in the sum.
+gcv::Operand simplified(const gcv::Operand& operand, const gcv_options& options) {
+  const gcv::Simplified near =
+      gcv::simplify(operand.polygon, options.tolerance / 2, rounding_of(options));
+  return {near.polygon, operand.name, near.error_bound};
+}
+
 // The outer face of a + b + shift, reported from start to end.
 gcv_outer_face* new_outer_face(const gcv::Operand& a, const gcv::Operand& b, const Point& shift,
                                const gcv_options& options) {
   gcv::Task task(threads_of(options), options.progress, options.progress_context,
                  estimated_steps(a, b));
   task.begin();
-  std::unique_ptr<gcv_outer_face> face(
-      new gcv_outer_face{gcv::minkowski_sum(a, b, shift, rounding_of(options), task)});
+  std::unique_ptr<gcv_outer_face> face(new gcv_outer_face{gcv::minkowski_sum(
+      simplified(a, options), simplified(b, options), shift, rounding_of(options), task)});
   task.finish();
   return face.release();
 }
@@ -210,6 +226,7 @@ class Batch {
   void run(gcv_outer_face** out, gcv_status* statuses) {
     gcv::Task task(1, options_.progress, options_.progress_context, estimate());
     task.begin();
+    simplify_all(task);
     gcv::for_each_in_parallel(faces_.size(), threads_of(options_),
                               [&](std::size_t k) { add(k, task); });
     task.finish();
@@ -232,14 +249,42 @@ class Batch {
     return steps;
   }
 
+  // Each polygon once, however many pairs it is in.
+  void simplify_all(gcv::Task& task) {
+    for (const gcv_polygon* const* const polygons : {a_, b_}) {
+      for (std::size_t k = 0; k < faces_.size(); ++k) {
+        if (polygons[k] != nullptr) {
+          simplified_.try_emplace(polygons[k]);
+        }
+      }
+    }
+    std::vector<std::pair<const gcv_polygon* const, gcv::Simplified>*> all;
+    all.reserve(simplified_.size());
+    for (auto& entry : simplified_) {
+      all.push_back(&entry);
+    }
+    gcv::for_each_in_parallel(all.size(), threads_of(options_), [&](std::size_t k) {
+      task.advance(0);
+      all[k]->second =
+          gcv::simplify(all[k]->first->polygon, options_.tolerance / 2, rounding_of(options_));
+    });
+  }
+
+  [[nodiscard]] gcv::Operand simplified_operand(const gcv_polygon* polygon,
+                                                const char* name) const {
+    require(polygon, name);
+    const gcv::Simplified& near = simplified_.find(polygon)->second;
+    return {near.polygon, name, near.error_bound};
+  }
+
   // Computes pair k. Throws Error: cancelled.
   void add(std::size_t k, gcv::Task& task) {
     task.advance(0);
     try {
-      require(a_[k], "a");
-      require(b_[k], "b");
-      faces_[k] = std::make_unique<gcv_outer_face>(gcv_outer_face{gcv::minkowski_sum(
-          operand(a_[k], "a"), operand(b_[k], "b"), {0, 0}, rounding_of(options_), task)});
+      const gcv::Operand a = simplified_operand(a_[k], "a");
+      const gcv::Operand b = simplified_operand(b_[k], "b");
+      faces_[k] = std::make_unique<gcv_outer_face>(
+          gcv_outer_face{gcv::minkowski_sum(a, b, {0, 0}, rounding_of(options_), task)});
     } catch (...) {
       const Error error = gcv::capi::current_error();
       if (error.status() == Status::cancelled) {
@@ -263,6 +308,7 @@ class Batch {
   const gcv_options& options_;
   std::vector<std::unique_ptr<gcv_outer_face>> faces_;
   std::vector<gcv_status> statuses_;
+  std::map<const gcv_polygon*, gcv::Simplified> simplified_;
   std::mutex mutex_;
   std::size_t first_failed_;
   Error failure_{Status::ok, "%s", ""};
@@ -374,6 +420,21 @@ gcv_status gcv_polygon_bounds(const gcv_polygon* polygon, double out[4]) {
     out[1] = box.y0;
     out[2] = box.x1;
     out[3] = box.y1;
+  });
+}
+
+gcv_status gcv_polygon_simplified(const gcv_polygon* polygon, double tolerance, int32_t rounding,
+                                  gcv_polygon** out, double* error_bound) {
+  return guarded([&] {
+    require(polygon, "polygon");
+    require(out, "out");
+    require(error_bound, "error_bound");
+    check_tolerance(tolerance, "");
+    check_rounding(rounding, "");
+    gcv::Simplified near =
+        gcv::simplify(polygon->polygon, tolerance, static_cast<gcv::Rounding>(rounding));
+    *out = new gcv_polygon(std::move(near.polygon));
+    *error_bound = near.error_bound;
   });
 }
 

@@ -15,10 +15,12 @@
 
 namespace gcv {
 
-// A polygon and its name in messages, such as "a" or "fixed".
+// A polygon, its name in messages, such as "a" or "fixed", and how far it may be from what
+// it stands for.
 struct Operand {
   std::shared_ptr<const Polygon> polygon;
   const char* name;
+  double error_bound = 0;
 };
 
 struct ExactRing {

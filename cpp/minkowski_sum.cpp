@@ -64,6 +64,8 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
       a, b, shift, std::move(walk.vertices), std::move(walk.arriving), std::move(walk.leaving)};
   face.rounded = rounding == Rounding::nearest ? round_to_nearest(face.exact, task, tally)
                                                : round_outward(face.exact, task, tally);
+  face.rounded.error_bound =
+      sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
   return face;
 }
 

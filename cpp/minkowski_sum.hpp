@@ -11,6 +11,7 @@
 #include "polygon.hpp"
 #include "predicates.hpp"
 #include "rounding.hpp"
+#include "simplification.hpp"
 #include "superset.hpp"
 #include "task.hpp"
 
@@ -30,10 +31,7 @@ struct OuterFace {
   Counts counts;
 };
 
-// The values are those of gcv_options.rounding.
-enum class Rounding : std::int32_t { nearest = 0, outward = 1 };
-
-// The outer face of a + b + shift. Throws Error: range, cancelled, internal.
+// The outer face of a + b + shift; the errors of a and b count in its error. Throws Error: range, cancelled, internal.
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
                         Task& task);
 

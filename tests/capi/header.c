@@ -51,6 +51,8 @@ FUNCTION(polygon_vertex_count, int32_t, const gcv_polygon *, size_t *);
 FUNCTION(polygon_vertices, int32_t, const gcv_polygon *, double *, size_t, size_t *);
 FUNCTION(polygon_area, int32_t, const gcv_polygon *, double *);
 FUNCTION(polygon_bounds, int32_t, const gcv_polygon *, double *);
+FUNCTION(polygon_simplified, int32_t, const gcv_polygon *, double, int32_t, gcv_polygon **,
+         double *);
 FUNCTION(options_init, void, gcv_options *);
 FUNCTION(minkowski_sum, int32_t, const gcv_polygon *, const gcv_polygon *, const gcv_options *,
          gcv_outer_face **);

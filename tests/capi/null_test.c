@@ -50,6 +50,9 @@ static void polygons(const gcv_polygon *polygon) {
   REFUSES("out", gcv_polygon_area(polygon, NULL));
   REFUSES("polygon", gcv_polygon_bounds(NULL, bounds));
   REFUSES("out", gcv_polygon_bounds(polygon, NULL));
+  REFUSES("polygon", gcv_polygon_simplified(NULL, 1, GCV_ROUND_NEAREST, &out, &area));
+  REFUSES("out", gcv_polygon_simplified(polygon, 1, GCV_ROUND_NEAREST, NULL, &area));
+  REFUSES("error_bound", gcv_polygon_simplified(polygon, 1, GCV_ROUND_NEAREST, &out, NULL));
 
   CHECK(out == UNTOUCHED_HANDLE && count == UNTOUCHED_COUNT);
   CHECK(vertices[0] == UNTOUCHED && area == UNTOUCHED && bounds[0] == UNTOUCHED);

@@ -70,7 +70,7 @@ static void options_size(void) {
 
 static void options_values(void) {
   const int32_t roundings[] = {-1, 2, 7, INT_MAX, INT_MIN};
-  const double tolerances[] = {NAN, INFINITY, -1, 1, 0x1p-1074};
+  const double tolerances[] = {NAN, INFINITY, -INFINITY, -1, -0x1p-1074};
   gcv_options outward = GCV_OPTIONS_INIT;
   size_t k;
   outward.rounding = GCV_ROUND_OUTWARD;

@@ -63,14 +63,15 @@ class Options {
     gcv_options_init(&options);
     options.struct_size = static_cast<std::uint32_t>(size);
     options.rounding = input.one_of<std::int32_t>({0, 1, 0, 1, 2, -1, INT32_MIN, INT32_MAX});
-    options.tolerance = input.one_of({0.0, 0.0, -0.0, 0.0, 1e-300, -1.0, std::nan(""), HUGE_VAL});
+    options.tolerance = input.one_of({0.0, 0.0, -0.0, 0.5, 1e-300, -1.0, std::nan(""), HUGE_VAL});
     options.threads = input.one_of<std::int32_t>({1, 1, 1, 0, 2, 3, -1, INT32_MIN});
     const auto unknown = static_cast<unsigned char>(input.below(2));
     bytes_.assign(std::max(size, sizeof options.struct_size), unknown);
     std::memcpy(bytes_.data(), &options, std::min(bytes_.size(), sizeof options));
     const bool is_first = size == 16;  // the size of the first version
     faults.add_if((!is_first && size < sizeof options) || (size > sizeof options && unknown != 0) ||
-                      options.rounding < 0 || options.rounding > 1 || options.tolerance != 0 ||
+                      options.rounding < 0 || options.rounding > 1 ||
+                      !(options.tolerance >= 0 && options.tolerance < HUGE_VAL) ||
                       (!is_first && options.threads < 0),
                   GCV_ERR_INVALID_ARGUMENT);
   }

@@ -4,8 +4,6 @@
 #include <gcv/gcv.h>
 
 #include <algorithm>
-#include <bit>
-#include <boost/multiprecision/gmp.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -17,359 +15,12 @@
 #include <stdexcept>
 #include <utility>
 
+#include "exact_geometry.hpp"
+#include "handles.hpp"
+
 namespace gcv::invariants {
 
 namespace {
-
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational,
-                                               boost::multiprecision::et_off>;
-
-// ------------------------------------------------------------------- exact geometry --
-
-struct Exact {
-  Rational x;
-  Rational y;
-};
-
-using Ring = std::vector<Exact>;
-
-bool operator==(const Exact& p, const Exact& q) { return p.x == q.x && p.y == q.y; }
-bool operator<(const Exact& p, const Exact& q) { return p.x < q.x || (p.x == q.x && p.y < q.y); }
-Exact operator+(const Exact& p, const Exact& q) { return {p.x + q.x, p.y + q.y}; }
-Exact operator-(const Exact& p, const Exact& q) { return {p.x - q.x, p.y - q.y}; }
-Exact operator*(const Rational& t, const Exact& p) { return {t * p.x, t * p.y}; }
-
-Rational cross(const Exact& p, const Exact& q) { return p.x * q.y - p.y * q.x; }
-Rational dot(const Exact& p, const Exact& q) { return p.x * q.x + p.y * q.y; }
-int sign(const Rational& x) { return x.sign(); }
-
-// Above 0: r lies left of the line from p to q.
-int orientation(const Exact& p, const Exact& q, const Exact& r) {
-  return sign(cross(q - p, r - p));
-}
-
-template <typename Vector>
-const auto& next(const Vector& ring, std::size_t k) {
-  return ring[k + 1 == ring.size() ? 0 : k + 1];
-}
-template <typename Vector>
-const auto& previous(const Vector& ring, std::size_t k) {
-  return ring[k == 0 ? ring.size() - 1 : k - 1];
-}
-
-Exact exact(const Point& p) { return {Rational(p[0]), Rational(p[1])}; }
-
-Ring exact(const Polygon& polygon) {
-  Ring ring;
-  for (const Point& p : polygon) {
-    ring.push_back(exact(p));
-  }
-  return ring;
-}
-
-// Doubles close below and above x.
-double below(const Rational& x) {
-  const double towards_zero = mpq_get_d(x.backend().data());
-  return std::nextafter(std::nextafter(towards_zero, -HUGE_VAL), -HUGE_VAL);
-}
-double above(const Rational& x) { return -below(-x); }
-
-// The double nearest to x, ties to even.
-double nearest(const Rational& x) {
-  double best = below(x);
-  for (int k = 0; k < 4; ++k) {
-    const double candidate = std::nextafter(best, HUGE_VAL);
-    if (!std::isfinite(candidate)) {
-      break;
-    }
-    const Rational gain = abs(x - Rational(best)) - abs(x - Rational(candidate));
-    if (gain < 0 || (gain == 0 && std::bit_cast<std::uint64_t>(best) % 2 == 0)) {
-      break;
-    }
-    best = candidate;
-  }
-  return best == 0 ? 0 : best;
-}
-
-Point nearest(const Exact& p) { return {nearest(p.x), nearest(p.y)}; }
-
-// From the lexicographically smallest vertex.
-template <typename Vector>
-Vector canonical(Vector ring) {
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
-  return ring;
-}
-
-template <typename Vector>
-Vector without_repetitions(const Vector& ring) {
-  Vector distinct;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    if (!(ring[k] == next(ring, k))) {
-      distinct.push_back(ring[k]);
-    }
-  }
-  return distinct;
-}
-
-Rational twice_area(const Ring& ring) {
-  Rational sum = 0;
-  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-    sum += cross(ring[k] - ring[0], ring[k + 1] - ring[0]);
-  }
-  return sum;
-}
-
-// An upper bound on it. Fractions with unlike denominators do not add up cheaply: each is
-// rounded up first, to 2^-256 of the largest.
-Rational twice_area_bound(const Ring& ring) {
-  using boost::multiprecision::mpz_int;
-  std::vector<Rational> terms;
-  Rational largest = 0;
-  for (std::size_t k = 1; k + 1 < ring.size(); ++k) {
-    terms.push_back(cross(ring[k] - ring[0], ring[k + 1] - ring[0]));
-    largest = std::max<Rational>(largest, abs(terms.back()));
-  }
-  const Rational unit = largest / Rational(mpz_int(1) << 256);
-  mpz_int units = 0;
-  for (const Rational& term : terms) {
-    const Rational quotient = term / unit;
-    units += mpz_int(numerator(quotient) / denominator(quotient)) + 1;
-  }
-  return Rational(units) * unit;
-}
-
-bool between(const Exact& p, const Exact& q, const Exact& x) {
-  return !(std::max(p, q) < x) && !(x < std::min(p, q));
-}
-
-bool on_segment(const Exact& p, const Exact& q, const Exact& x) {
-  return orientation(p, q, x) == 0 && between(p, q, x);
-}
-
-bool segments_meet(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
-  const int c_side = orientation(a, b, c);
-  const int d_side = orientation(a, b, d);
-  if (c_side == 0 && d_side == 0) {
-    return between(a, b, c) || between(a, b, d) || between(c, d, a);
-  }
-  return c_side * d_side <= 0 && orientation(c, d, a) * orientation(c, d, b) <= 0;
-}
-
-bool segments_cross(const Exact& a, const Exact& b, const Exact& c, const Exact& d) {
-  return orientation(a, b, c) * orientation(a, b, d) < 0 &&
-         orientation(c, d, a) * orientation(c, d, b) < 0;
-}
-
-Rational squared_distance(const Exact& p, const Exact& q, const Exact& x) {
-  const Exact along = q - p;
-  const Exact to_x = x - p;
-  const Rational t = dot(to_x, along) / dot(along, along);
-  const Exact rest = to_x - std::clamp<Rational>(t, 0, 1) * along;
-  return dot(rest, rest);
-}
-
-// 1 inside, 0 on the ring, -1 outside.
-int location(const Ring& ring, const Exact& x) {
-  bool inside = false;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Exact& p = ring[k];
-    const Exact& q = next(ring, k);
-    if ((p.y <= x.y) != (q.y <= x.y)) {
-      const int side = orientation(p, q, x);
-      if (side == 0) {
-        return 0;
-      }
-      inside ^= (side > 0) == (p.y < q.y);
-    } else if (p == x || (p.y == x.y && q.y == x.y && between(p, q, x))) {
-      return 0;
-    }
-  }
-  return inside ? 1 : -1;
-}
-
-// Counter-clockwise, from the smallest point, without collinear ones.
-Ring hull(Ring points) {
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  const auto chain = [](auto first, auto last) {
-    Ring half;
-    for (; first != last; ++first) {
-      while (half.size() > 1 && orientation(half.end()[-2], half.back(), *first) <= 0) {
-        half.pop_back();
-      }
-      half.push_back(*first);
-    }
-    half.pop_back();
-    return half;
-  };
-  Ring ring = chain(points.begin(), points.end());
-  const Ring upper = chain(points.rbegin(), points.rend());
-  ring.insert(ring.end(), upper.begin(), upper.end());
-  return ring;
-}
-
-Ring sum_of_hulls(const Ring& a, const Ring& b) {
-  Ring sum;
-  std::size_t i = 0;
-  std::size_t j = 0;
-  while (i < a.size() || j < b.size()) {
-    sum.push_back(a[i % a.size()] + b[j % b.size()]);
-    int turn = i == a.size() ? -1 : 1;
-    if (i < a.size() && j < b.size()) {
-      turn = sign(cross(next(a, i) - a[i], next(b, j) - b[j]));
-    }
-    i += turn >= 0 ? 1 : 0;
-    j += turn <= 0 ? 1 : 0;
-  }
-  return sum;
-}
-
-// ------------------------------------------------------------------------- box pairs --
-
-struct Box {
-  std::array<double, 2> low;
-  std::array<double, 2> high;
-};
-
-Box box(const Exact& p, const Exact& q) {
-  const auto& [x0, x1] = std::minmax(p.x, q.x);
-  const auto& [y0, y1] = std::minmax(p.y, q.y);
-  return {{below(x0), below(y0)}, {above(x1), above(y1)}};
-}
-
-std::vector<Box> edge_boxes(const Ring& ring) {
-  std::vector<Box> boxes;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    boxes.push_back(box(ring[k], next(ring, k)));
-  }
-  return boxes;
-}
-
-// Calls visit(i, j) for all boxes p[i] and q[j] that overlap, until it returns false. A
-// sweep along the axis on which the boxes are shorter.
-void for_each_overlap(const std::vector<Box>& p, const std::vector<Box>& q,
-                      const std::function<bool(std::size_t, std::size_t)>& visit) {
-  std::array<double, 2> length{};
-  for (const auto* boxes : {&p, &q}) {
-    for (const Box& b : *boxes) {
-      length[0] += b.high[0] / 4 - b.low[0] / 4;
-      length[1] += b.high[1] / 4 - b.low[1] / 4;
-    }
-  }
-  const std::size_t axis = length[1] < length[0] ? 1 : 0;
-  struct Side {
-    const std::vector<Box>& boxes;
-    std::vector<std::size_t> order;
-    std::vector<std::size_t> active;
-    std::size_t begun = 0;
-  };
-  std::array<Side, 2> sides{Side{p, {}, {}}, Side{q, {}, {}}};
-  for (Side& side : sides) {
-    for (std::size_t k = 0; k < side.boxes.size(); ++k) {
-      side.order.push_back(k);
-    }
-    std::sort(side.order.begin(), side.order.end(), [&](std::size_t k, std::size_t l) {
-      return side.boxes[k].low[axis] < side.boxes[l].low[axis];
-    });
-  }
-  const auto start = [&](const Side& side) {
-    return side.begun == side.order.size() ? HUGE_VAL
-                                           : side.boxes[side.order[side.begun]].low[axis];
-  };
-  while (sides[0].begun < p.size() || sides[1].begun < q.size()) {
-    const std::size_t s = start(sides[1]) < start(sides[0]) ? 1 : 0;
-    Side& mine = sides[s];
-    Side& other = sides[1 - s];
-    const std::size_t k = mine.order[mine.begun++];
-    const Box& b = mine.boxes[k];
-    std::erase_if(other.active,
-                  [&](std::size_t l) { return other.boxes[l].high[axis] < b.low[axis]; });
-    for (const std::size_t l : other.active) {
-      const Box& c = other.boxes[l];
-      if (b.low[1 - axis] <= c.high[1 - axis] && c.low[1 - axis] <= b.high[1 - axis] &&
-          !(s == 0 ? visit(k, l) : visit(l, k))) {
-        return;
-      }
-    }
-    mine.active.push_back(k);
-  }
-}
-
-// Two edges that meet where they should not.
-std::optional<std::pair<std::size_t, std::size_t>> find_meeting(const Ring& ring) {
-  std::optional<std::pair<std::size_t, std::size_t>> found;
-  const auto folds_back = [&](std::size_t k) {
-    const Exact in = next(ring, k) - ring[k];
-    const Exact out = next(ring, (k + 1) % ring.size()) - next(ring, k);
-    return sign(cross(in, out)) == 0 && sign(dot(in, out)) <= 0;
-  };
-  const std::vector<Box> boxes = edge_boxes(ring);
-  for_each_overlap(boxes, boxes, [&](std::size_t i, std::size_t j) {
-    const bool meet = j == (i + 1) % ring.size()
-                          ? folds_back(i)
-                          : i + 1 < j && (i != 0 || j + 1 != ring.size()) &&
-                                segments_meet(ring[i], next(ring, i), ring[j], next(ring, j));
-    if (meet) {
-      found = {i, j};
-    }
-    return !meet;
-  });
-  return found;
-}
-
-bool polygons_meet(const Ring& a, const std::vector<Box>& boxes_of_a, const Ring& b) {
-  bool meet = false;
-  for_each_overlap(boxes_of_a, edge_boxes(b), [&](std::size_t i, std::size_t j) {
-    meet = segments_meet(a[i], next(a, i), b[j], next(b, j));
-    return !meet;
-  });
-  return meet || location(a, b[0]) >= 0 || location(b, a[0]) >= 0;
-}
-
-// --------------------------------------------------------------------- the C interface --
-
-struct Destroy {
-  void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
-  void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
-};
-
-using PolygonHandle = std::unique_ptr<gcv_polygon, Destroy>;
-
-// Failures of the library that end a check.
-struct Failure : std::runtime_error {
-  Failure(gcv_status code, const std::string& what)
-      : std::runtime_error(what + ": " + gcv_status_name(code) + ", " + gcv_last_error_message()),
-        status(code) {}
-  gcv_status status;
-};
-
-void require(gcv_status status, const char* what) {
-  if (status != GCV_OK) {
-    throw Failure(status, what);
-  }
-}
-
-template <typename Handle>
-Polygon vertices(gcv_status (*get)(const Handle*, double*, std::size_t, std::size_t*),
-                 const Handle* handle) {
-  std::size_t count = 0;
-  require(get(handle, nullptr, 0, &count), "the number of vertices");
-  Polygon polygon(count);
-  require(get(handle, polygon.front().data(), count, &count), "the vertices");
-  return polygon;
-}
-
-PolygonHandle make(const Polygon& polygon) {
-  gcv_polygon* handle = nullptr;
-  const double* const xy = polygon.empty() ? nullptr : polygon.front().data();
-  require(gcv_polygon_create(xy, polygon.size(), 0, &handle), "a polygon");
-  return PolygonHandle(handle);
-}
-
-bool all_finite(const Polygon& polygon) {
-  return std::all_of(polygon.begin(), polygon.end(),
-                     [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
-}
 
 struct Sum {
   Ring exact;
@@ -380,22 +31,6 @@ struct Sum {
   std::uint64_t repaired = 0;
   Polygon as_polygon;
 };
-
-Ring exact_ring(const gcv_outer_face* face) {
-  std::size_t count = 0;
-  require(gcv_outer_face_exact_vertex_count(face, &count), "the number of exact vertices");
-  Ring ring;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t length = 0;
-    require(gcv_outer_face_exact_vertex(face, k, nullptr, 0, &length), "a length");
-    std::string text(length, ' ');
-    require(gcv_outer_face_exact_vertex(face, k, text.data(), length, &length), "an exact vertex");
-    const std::size_t space = text.find(' ');
-    ring.push_back(
-        {Rational(text.substr(0, space)), Rational(text.substr(space + 1, length - space - 2))});
-  }
-  return ring;
-}
 
 Sum sum(const Polygon& a, const Polygon& b, std::int32_t rounding = GCV_ROUND_NEAREST) {
   gcv_options options = GCV_OPTIONS_INIT;
@@ -476,16 +111,6 @@ bool contributes(const Ring& ring, std::size_t k, const Exact& direction) {
 }
 
 // --------------------------------------------------------------------------- the checks --
-
-// `count` of the numbers below `total`, evenly spread.
-std::vector<std::size_t> sample(std::size_t total, std::size_t count) {
-  std::vector<std::size_t> numbers;
-  const double step = std::max(1.0, static_cast<double>(total) / static_cast<double>(count + 1));
-  for (double x = 0; x < static_cast<double>(total); x += step) {
-    numbers.push_back(static_cast<std::size_t>(x));
-  }
-  return numbers;
-}
 
 std::string text(std::size_t k) { return std::to_string(k); }
 
@@ -763,21 +388,6 @@ class Check {
     }
   }
 
-  // Are all the points within the distance of the ring?
-  static bool all_near(const Ring& points, const Ring& ring, double distance) {
-    const Rational d(distance);
-    std::vector<Box> boxes;
-    for (const Exact& p : points) {
-      boxes.push_back({{below(p.x - d), below(p.y - d)}, {above(p.x + d), above(p.y + d)}});
-    }
-    std::vector<bool> near(points.size());
-    for_each_overlap(boxes, edge_boxes(ring), [&](std::size_t i, std::size_t k) {
-      near[i] = near[i] || squared_distance(ring[k], next(ring, k), points[i]) <= d * d;
-      return true;
-    });
-    return std::find(near.begin(), near.end(), false) == near.end();
-  }
-
   void commutes() {
     if (!(sum(given_b_, given_a_).exact == sum_.exact)) {
       broken("b + a is not a + b.");
@@ -943,6 +553,9 @@ Rounded rounded_sum(const Polygon& a, const Polygon& b) {
 }
 
 std::string wkt(const Polygon& ring) {
+  if (ring.empty()) {
+    return "POLYGON EMPTY";
+  }
   std::string text = "POLYGON ((";
   for (std::size_t k = 0; k <= ring.size(); ++k) {
     char vertex[64];

@@ -28,6 +28,13 @@ struct Effort {
 std::vector<std::string> broken_invariants(const Polygon& a, const Polygon& b,
                                            const Effort& effort = {});
 
+// A sentence for each promise that the polygons simplified by the tolerance, in both
+// roundings, do not keep; and the same for the sum a + b with that tolerance.
+std::vector<std::string> broken_simplification(const Polygon& polygon, double tolerance,
+                                               const Effort& effort = {});
+std::vector<std::string> broken_sum_within(const Polygon& a, const Polygon& b, double tolerance,
+                                           const Effort& effort = {});
+
 // Is the ring simple in these doubles? No vertex may be repeated; those on a straight line
 // may.
 bool is_simple(const Polygon& ring);

@@ -13,7 +13,7 @@
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
  * number. Every decision of the computation is exact for every such input; there
- * is no tolerance and no epsilon in it. Only the coordinates that are handed back
+ * is no epsilon in it, and no tolerance but one that the caller asks for. Only the coordinates that are handed back
  * as doubles are rounded, each once, and each function says how.
  *
  * Reproducibility. The same input gives the same bits on every run, thread,
@@ -246,9 +246,10 @@ typedef struct gcv_options {
   uint32_t struct_size;
   /** GCV_ROUND_NEAREST or GCV_ROUND_OUTWARD. */
   int32_t rounding;
-  /** How far, in input units, the result may be from the exact one. 0: not at
-   *  all, but for the rounding. Other values are refused by this version with
-   *  GCV_ERR_INVALID_ARGUMENT. */
+  /** How far, in input units, the sum may be from the exact one beside the rounding;
+   *  finite, from 0 on. Above 0, each polygon is first simplified by at most half of
+   *  it, see gcv_polygon_simplified, and the exact ring is that of the simplified
+   *  polygons. With GCV_ROUND_OUTWARD the result still contains the exact sum. */
   double tolerance;
   /** How many threads work on the sum, the calling one among them: 1 by default,
    *  0 for as many as the machine runs at once; above 256 as 256. The result is the
@@ -272,6 +273,30 @@ typedef struct gcv_options {
  *  not be smaller. Programs that may run with a later library than they were compiled for start
  *  from GCV_OPTIONS_INIT instead. NULL is allowed and does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
+
+/**
+ * The polygon with fewer vertices, for scenes that need no more detail: to be made once
+ * a polygon and used in many sums.
+ *
+ * The new boundary is simple, and within `tolerance` of the given one in Hausdorff
+ * distance. With GCV_ROUND_NEAREST its vertices are some of the given ones. With
+ * GCV_ROUND_OUTWARD its region contains the given polygon; it may then have new vertices,
+ * where edges were lengthened until they meet. Numbers of vertices and edges stay those
+ * that the given polygon was created with; of several that one stands for, the first.
+ *
+ * @param tolerance    in input units, finite, from 0 on; 0 leaves every vertex.
+ * @param rounding     GCV_ROUND_NEAREST or GCV_ROUND_OUTWARD.
+ * @param out          the new polygon, the caller's.
+ * @param error_bound  at least the Hausdorff distance between the two boundaries; at
+ *                     most `tolerance`, and often less.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for the tolerance or
+ *         the rounding; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ * Exactness: the bound is certified and rounded up; containment is exact.
+ * Cost: O(n log n) for most polygons. Threads: any. @since 0.1
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_simplified(const gcv_polygon *polygon,
+                                                        double tolerance, int32_t rounding,
+                                                        gcv_polygon **out, double *error_bound);
 
 /* ------------------------------------------------------------- outer face -- */
 
@@ -458,6 +483,13 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
  * place for each coordinate where nothing had to be repaired, and in most other cases
  * a few units. Where outward rounding closes a slit, what lies behind it counts: the
  * bound is then as large as the pocket that was closed.
+ *
+ * With a tolerance the bound also has what the polygons were simplified by, often less
+ * than the tolerance, and is one between sets: no point of the ring is further than it
+ * from the exact sum of the polygons as given, and no point of that sum is further than
+ * it from the region inside the ring. The rings can be further apart where a pocket has
+ * an entrance narrower than twice the bound: it may be open in one of the two sums and
+ * closed in the other.
  *
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
  * Exactness: a certified bound, rounded up. Cost: O(1). Threads: any. @since 0.1

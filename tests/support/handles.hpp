@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The C interface for tests: handles that end by themselves, failures as exceptions.
+#pragma once
+
+#include <gcv/gcv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "exact_geometry.hpp"
+
+namespace gcv::invariants {
+
+struct Destroy {
+  void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
+  void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
+};
+
+using PolygonHandle = std::unique_ptr<gcv_polygon, Destroy>;
+
+// Failures of the library that end a check.
+struct Failure : std::runtime_error {
+  Failure(gcv_status code, const std::string& what)
+      : std::runtime_error(what + ": " + gcv_status_name(code) + ", " + gcv_last_error_message()),
+        status(code) {}
+  gcv_status status;
+};
+
+inline void require(gcv_status status, const char* what) {
+  if (status != GCV_OK) {
+    throw Failure(status, what);
+  }
+}
+
+template <typename Handle>
+Polygon vertices(gcv_status (*get)(const Handle*, double*, std::size_t, std::size_t*),
+                 const Handle* handle) {
+  std::size_t count = 0;
+  require(get(handle, nullptr, 0, &count), "the number of vertices");
+  Polygon polygon(count);
+  require(get(handle, polygon.front().data(), count, &count), "the vertices");
+  return polygon;
+}
+
+inline PolygonHandle make(const Polygon& polygon) {
+  gcv_polygon* handle = nullptr;
+  const double* const xy = polygon.empty() ? nullptr : polygon.front().data();
+  require(gcv_polygon_create(xy, polygon.size(), 0, &handle), "a polygon");
+  return PolygonHandle(handle);
+}
+
+inline bool all_finite(const Polygon& polygon) {
+  return std::all_of(polygon.begin(), polygon.end(),
+                     [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
+}
+
+inline Ring exact_ring(const gcv_outer_face* face) {
+  std::size_t count = 0;
+  require(gcv_outer_face_exact_vertex_count(face, &count), "the number of exact vertices");
+  Ring ring;
+  for (std::size_t k = 0; k < count; ++k) {
+    std::size_t length = 0;
+    require(gcv_outer_face_exact_vertex(face, k, nullptr, 0, &length), "a length");
+    std::string text(length, ' ');
+    require(gcv_outer_face_exact_vertex(face, k, text.data(), length, &length), "an exact vertex");
+    const std::size_t space = text.find(' ');
+    ring.push_back(
+        {Rational(text.substr(0, space)), Rational(text.substr(space + 1, length - space - 2))});
+  }
+  return ring;
+}
+
+}  // namespace gcv::invariants
