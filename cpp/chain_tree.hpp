@@ -69,12 +69,16 @@ void for_each_lane(unsigned lanes, Visit visit) {
   }
 }
 
-// The lanes of the boxes that overlap the given one, as bits. Where numbers have overflowed,
-// they do.
+// The lanes of the boxes that are apart from the given one. Where numbers have overflowed,
+// they are not.
+inline LaneMask apart_from(const ChainTree::Block& block, const Box& box) {
+  return (Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
+         (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0);
+}
+
+// The other lanes, as bits.
 inline unsigned overlapping(const ChainTree::Block& block, const Box& box) {
-  const LaneMask apart = (Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
-                         (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0);
-  return ~apart.bits() & ChainTree::all_lanes;
+  return ~apart_from(block, box).bits() & ChainTree::all_lanes;
 }
 
 // The box of the segment pq.
@@ -86,15 +90,18 @@ ChainTree build_chain_tree(std::span<const Box> edges);
 // The tree over the edges of the closed ring.
 ChainTree build_chain_tree(std::span<const Point> ring);
 
-// Calls visit(i, j) for every pair of edges whose boxes overlap, once.
+// The pairs of edges whose boxes overlap: calls visit(i, j) for each, once, until it returns
+// false or until so many pairs of nodes have been looked at.
 template <class Visit>
 class OverlappingPairs {
  public:
-  OverlappingPairs(const ChainTree& tree, Visit& visit) : tree_(tree), visit_(visit) {}
+  OverlappingPairs(const ChainTree& tree, std::uint64_t most_looks, Visit& visit)
+      : tree_(tree), looks_left_(most_looks), visit_(visit) {}
 
-  void within(const ChainTree::Node& node) {
+  // Those of edges below the node. False where it was ended.
+  bool within(const ChainTree::Node& node) {
     if (tree_.is_edge(node)) {
-      return;
+      return true;
     }
     const ChainTree::Block& block = tree_.blocks[tree_.block_below(node)];
     for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
@@ -102,36 +109,60 @@ class OverlappingPairs {
         break;
       }
       const ChainTree::Node child = ChainTree::child(node, lane);
-      const unsigned later = ~0U << (lane + 1);
-      for_each_lane(overlapping(block, block.box(lane)) & later, [&](std::uint32_t other) {
-        between(child, block.box(lane), ChainTree::child(node, other), block.box(other));
-      });
-      within(child);
+      unsigned later = overlapping(block, block.box(lane)) & ~0U << (lane + 1);
+      for (; later != 0; later &= later - 1) {
+        const auto other = static_cast<std::uint32_t>(std::countr_zero(later));
+        if (!between(child, block.box(lane), ChainTree::child(node, other), block.box(other))) {
+          return false;
+        }
+      }
+      if (!within(child)) {
+        return false;
+      }
     }
+    return true;
   }
 
  private:
-  void between(const ChainTree::Node& a, const Box& box_a, const ChainTree::Node& b,
+  bool between(const ChainTree::Node& a, const Box& box_a, const ChainTree::Node& b,
                const Box& box_b) {
-    if (a.depth > b.depth) {
-      between(b, box_b, a, box_a);
-    } else if (tree_.is_edge(a)) {
-      visit_(a.index, b.index);
-    } else {
-      const ChainTree::Block& block = tree_.blocks[tree_.block_below(a)];
-      for_each_lane(overlapping(block, box_b), [&](std::uint32_t lane) {
-        between(b, box_b, ChainTree::child(a, lane), block.box(lane));
-      });
+    if (looks_left_-- == 0) {
+      return false;
     }
+    if (a.depth > b.depth) {
+      return between(b, box_b, a, box_a);
+    }
+    if (tree_.is_edge(a)) {
+      return visit_(a.index, b.index);
+    }
+    const ChainTree::Block& block = tree_.blocks[tree_.block_below(a)];
+    for (unsigned lanes = overlapping(block, box_b); lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+      if (!between(b, box_b, ChainTree::child(a, lane), block.box(lane))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   const ChainTree& tree_;
+  std::uint64_t looks_left_;
   Visit& visit_;
 };
 
+// False where it was ended.
+template <class Visit>
+bool visit_overlapping_pairs(const ChainTree& tree, std::uint64_t most_looks, Visit visit) {
+  return OverlappingPairs<Visit>(tree, most_looks, visit).within({0, 0});
+}
+
+// Calls visit(i, j) for all of them.
 template <class Visit>
 void for_each_overlapping_pair(const ChainTree& tree, Visit visit) {
-  OverlappingPairs<Visit>(tree, visit).within({0, 0});
+  visit_overlapping_pairs(tree, ~std::uint64_t{0}, [&](std::uint32_t i, std::uint32_t j) {
+    visit(i, j);
+    return true;
+  });
 }
 
 }  // namespace gcv

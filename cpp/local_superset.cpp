@@ -19,13 +19,7 @@ constexpr int most_looks = 600;
 // How far the band goes to the left of the walk, beside how far it goes along.
 constexpr double depth = 0.25;
 
-// Pairs of vertices whose superset edges are just all collected.
-constexpr std::size_t few_pairs = 1024;
-constexpr std::size_t few_edges = 64;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Box nowhere{0, 0, 0, 0};
-constexpr Box everywhere{-infinity, -infinity, infinity, infinity};
 
 // The mean size of the edges of both polygons.
 double mean_edge_size(const Operands& operands) {
@@ -91,30 +85,7 @@ LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
     : superset_(superset),
       slack_(slack),
       reach_(4 * mean_edge_size(superset.operands())),
-      window_(nowhere) {
-  const Operands& operands = superset.operands();
-  if (std::size_t{operands.a.size()} * operands.b.size() <= few_pairs) {
-    gather_all();
-  }
-}
-
-// The whole superset, where it is small; then no search is needed at all.
-void LocalSuperset::gather_all() {
-  const Operands& operands = superset_.operands();
-  for (Index i = 0; i < operands.a.size(); ++i) {
-    for (Index j = 0; j < operands.b.size(); ++j) {
-      superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, everywhere); });
-    }
-  }
-  if (edges_.size() > few_edges) {
-    clear();
-    return;
-  }
-  window_ = everywhere;
-  leftmost_ = infinity;
-  beyond_line_.resize(edges_.size());
-  beyond_end_.resize(edges_.size());
-}
+      window_(nowhere) {}
 
 void LocalSuperset::clear() {
   edges_.clear();

@@ -61,7 +61,6 @@ class LocalSuperset {
     return p.x > window_.x0 && p.x < window_.x1 && p.y > window_.y0 && p.y < window_.y1 &&
            dx_ * p.y - dy_ * p.x < leftmost_;
   }
-  void gather_all();
   void add(const PairEdge& edge, const Box& wide);
   void clear();
 

@@ -31,7 +31,8 @@ struct OuterFace {
   Counts counts;
 };
 
-// The outer face of a + b + shift; the errors of a and b count in its error. Throws Error: range, cancelled, internal.
+// The outer face of a + b + shift; the errors of a and b count in its error. Throws Error: range,
+// cancelled, internal.
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
                         Task& task);
 

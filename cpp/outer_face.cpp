@@ -34,6 +34,7 @@
 #include "local_superset.hpp"
 #include "parallel.hpp"
 #include "piece.hpp"
+#include "superset_tree.hpp"
 
 namespace gcv {
 
@@ -95,18 +96,44 @@ double slack_of(const Operands& operands) {
   return 64 * unit_roundoff * extents + std::numeric_limits<double>::min();
 }
 
+// The superset in one of two forms: all of it in a tree where it is small, or else implicit.
+class Superset {
+ public:
+  explicit Superset(const Operands& operands) : operands_(operands) {
+    if (count_superset(operands) <= few_edges) {
+      tree_.emplace(operands);
+    } else {
+      implicit_.emplace(operands);
+    }
+  }
+
+  [[nodiscard]] const Operands& operands() const { return operands_; }
+  [[nodiscard]] const std::optional<SupersetTree>& tree() const { return tree_; }
+  [[nodiscard]] const std::optional<ImplicitSuperset>& implicit() const { return implicit_; }
+
+ private:
+  static constexpr std::uint64_t few_edges = 1024;
+
+  const Operands& operands_;
+  std::optional<SupersetTree> tree_;
+  std::optional<ImplicitSuperset> implicit_;
+};
+
 // A walk from one vertex of the convex hull of the sum to another. Such a vertex is on the
 // outer face, and the sum of two vertices in one way only: no superset edge passes through
 // it, so the walk leaves it along one that starts there, and arrives by the end of another.
 class Walker {
  public:
-  Walker(const ImplicitSuperset& superset, double slack, Task& task)
+  Walker(const Superset& superset, double slack, Task& task)
       : operands_(superset.operands()),
         directions_(operands_.directions),
         superset_(superset),
         slack_(slack),
-        local_(superset, slack),
-        task_(task) {}
+        task_(task) {
+    if (superset.implicit()) {
+      local_.emplace(*superset.implicit(), slack);
+    }
+  }
 
   // The first vertex has no arriving edge yet: it is that of the walk that ends there.
   Arc run(const HullVertex& first, const HullVertex& last) {
@@ -251,12 +278,19 @@ class Walker {
   Step next_step(const Line& s, const Place& place) {
     const Point from = relative_position(s, place);
     const Point end = relative_on(s, 1);
+    if (superset_.tree()) {
+      Step step;
+      search(s, place, from, 1, end, step, [&](const Piece& piece, const auto& visit) {
+        superset_.tree()->search(piece, visit);
+      });
+      return step;
+    }
     const double length = std::max(std::abs(end.x - from.x), std::abs(end.y - from.y));
-    if (local_.covers(from, end) || (length < local_.reach() && local_.gather(from, end))) {
+    if (local_->covers(from, end) || (length < local_->reach() && local_->gather(from, end))) {
       Step step;
       const Point origin = relative(s.edge.i, s.edge.j);
-      local_.for_each_near(origin, s.at.dx, s.at.dy, end,
-                           [&](const PairEdge& e) { consider(s, place, end, e, step); });
+      local_->for_each_near(origin, s.at.dx, s.at.dy, end,
+                            [&](const PairEdge& e) { consider(s, place, end, e, step); });
       return step;
     }
     return search_step(s, place, from, end);
@@ -266,8 +300,8 @@ class Walker {
   // searched is about as long as the last of these steps were, each other one four times as long
   // as the one before.
   Step search_step(const Line& s, const Place& place, Point from, const Point& end) {
-    const Point origin = relative(s.edge.i, s.edge.j);
-    const double start = parameter_on(s, origin, from);
+    const ImplicitSuperset& implicit = *superset_.implicit();
+    const double start = parameter_on(s, relative(s.edge.i, s.edge.j), from);
     const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
     double parameter = start;
     double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
@@ -276,24 +310,32 @@ class Walker {
       const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
       const bool is_last = !(parameter + stride < limit);
       parameter = is_last ? limit : parameter + stride;
-      const Point to = parameter < 1 ? relative_on(s, parameter) : end;
-      Piece piece(s.at, origin, from, to, slack_);
-      superset_.search(piece, [&](Index i, Index j) {
-        superset_.for_each_edge(i, j, [&](const PairEdge& e) {
-          if (consider(s, place, end, e, step) && step.event->place.parameter.hi < parameter) {
-            piece.shorten(relative_on(s, clamp_to_unit(step.event->place.parameter.hi)));
-          }
-        });
+      search(s, place, from, parameter, end, step, [&](Piece& piece, const auto& visit) {
+        implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
       });
       if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
         break;
       }
-      from = to;
+      from = relative_on(s, parameter);
       stride *= 4;
     }
     const double way = (step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1) - start;
     stride_ = std::min(2 * way * size, 4 * stride_);
     return step;
+  }
+
+  // Considers the edges that have a point in the piece of s from `from` up to the parameter.
+  // in_superset(piece, visit) calls visit(edge) for them; the piece ends with the first event.
+  template <class InSuperset>
+  void search(const Line& s, const Place& place, const Point& from, double parameter,
+              const Point& end, Step& step, InSuperset in_superset) {
+    const Point to = parameter < 1 ? relative_on(s, parameter) : end;
+    Piece piece(s.at, relative(s.edge.i, s.edge.j), from, to, slack_);
+    in_superset(piece, [&](const PairEdge& e) {
+      if (consider(s, place, end, e, step) && step.event->place.parameter.hi < parameter) {
+        piece.shorten(relative_on(s, clamp_to_unit(step.event->place.parameter.hi)));
+      }
+    });
   }
 
   // Does the boundary leave s along e, of all edges so far? True where e is the first event.
@@ -442,9 +484,9 @@ class Walker {
 
   const Operands& operands_;
   const Directions& directions_;
-  const ImplicitSuperset& superset_;
+  const Superset& superset_;
   double slack_;
-  LocalSuperset local_;
+  std::optional<LocalSuperset> local_;                       // where there is no tree
   double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
   Task& task_;
   Tally tally_;
@@ -474,7 +516,7 @@ Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally) {
   if (operands.a.is_convex && operands.b.is_convex) {
     return merge_convex(operands);
   }
-  const ImplicitSuperset superset(operands);
+  const Superset superset(operands);
   const double slack = slack_of(operands);
   const std::vector<HullVertex> starts = hull_vertices(operands.a, operands.b, task.threads());
   std::vector<Arc> arcs(starts.size());

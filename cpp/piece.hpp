@@ -48,7 +48,21 @@ class Piece {
             dx_ * (dx_ > 0 ? box.y1 : box.y0) - dy_ * (dy_ > 0 ? box.x0 : box.x1)};
   }
 
-  // The lanes that reach the box of the piece, and the line of s or both of its sides.
+  // The lanes whose boxes reach that of the piece, and the line of s or both of its sides.
+  [[nodiscard]] unsigned overlapping(const ChainTree::Block& block) const {
+    const Lanes x_low = Lanes::load(dy_ > 0 ? block.x0 : block.x1);
+    const Lanes x_high = Lanes::load(dy_ > 0 ? block.x1 : block.x0);
+    const Lanes y_low = Lanes::load(dx_ > 0 ? block.y0 : block.y1);
+    const Lanes y_high = Lanes::load(dx_ > 0 ? block.y1 : block.y0);
+    const LaneMask apart = apart_from(block, box_) |
+                           (dx_ * y_high - dy_ * x_low < offset_ - tolerance_) |
+                           (dx_ * y_low - dy_ * x_high > offset_ + tolerance_);
+    return ~apart.bits() & ChainTree::all_lanes;
+  }
+
+  [[nodiscard]] bool ascends() const { return std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0; }
+
+  // The same for the sums with another node.
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
             ImplicitSuperset::Look& look) const {
     const CapsuleBlock& capsules = block.capsules;
@@ -65,8 +79,8 @@ class Piece {
     const unsigned apart = ((highest < offset_ - tolerance_ - other.offsets.highest) |
                             (lowest > offset_ + tolerance_ - other.offsets.lowest))
                                .bits();
-    look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
-                                           box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
+    look.lanes = gcv::overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                                box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~apart;
     if (look.lanes != 0 && other.radius == 0) {
       look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();

@@ -195,11 +195,24 @@ std::optional<Conflict> compare_all(std::span<const Point> ring) {
   return std::nullopt;
 }
 
+// Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
+// few others, and take a third of the time of the sweep.
+bool is_soon_seen_simple(std::span<const Point> ring) {
+  constexpr std::uint64_t looks_per_edge = 6;
+  Tally tally;
+  return visit_overlapping_pairs(
+      build_chain_tree(ring), looks_per_edge * ring.size(),
+      [&](std::size_t e, std::size_t f) { return !conflicting(ring, e, f, tally); });
+}
+
 }  // namespace
 
 std::optional<Conflict> find_conflict(std::span<const Point> ring) {
   constexpr std::size_t few = 32;
-  return ring.size() <= few ? compare_all(ring) : Sweep(ring).run();
+  if (ring.size() <= few) {
+    return compare_all(ring);
+  }
+  return is_soon_seen_simple(ring) ? std::nullopt : Sweep(ring).run();
 }
 
 bool is_counter_clockwise(std::span<const Point> ring) {

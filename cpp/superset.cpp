@@ -2,47 +2,23 @@
 #include "superset.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
+
+#include "contributions.hpp"
 
 namespace gcv {
 
 namespace {
 
-// The edges of a polygon in the order of their ranks.
-std::vector<Index> edges_by_rank(const std::vector<Rank>& ranks) {
-  std::vector<Index> order(ranks.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::sort(order.begin(), order.end(),
-            [&](Index e, Index f) { return std::tie(ranks[e], e) < std::tie(ranks[f], f); });
-  return order;
-}
-
-// Calls visit(edge, vertex) for every edge and every generalized contributing vertex of
-// the other polygon: for each convex vertex, the edges whose ranks lie in its cone.
+// Calls visit(edge, vertex) for every edge of one polygon and every generalized contributing
+// vertex of the other.
 template <class Visit>
 void for_each_contribution(const std::vector<Rank>& edge_ranks, const Polygon& polygon,
-                           const std::vector<Rank>& ranks, Visit visit) {
-  const std::vector<Index> order = edges_by_rank(edge_ranks);
-  const auto first_from = [&](Rank rank) {
-    return std::lower_bound(order.begin(), order.end(), rank,
-                            [&](Index edge, Rank r) { return edge_ranks[edge] < r; });
-  };
-  for (Index v = 0; v < polygon.size(); ++v) {
-    if (polygon.convex[v] == 0) {
-      continue;
-    }
-    const Rank in = ranks[polygon.previous(v)];
-    const Rank out = ranks[v];
-    const auto begin = first_from(in);
-    const auto end = first_from(out + 1);
-    if (in <= out) {
-      std::for_each(begin, end, [&](Index edge) { visit(edge, v); });
-    } else {  // the cone holds the positive x axis
-      std::for_each(begin, order.end(), [&](Index edge) { visit(edge, v); });
-      std::for_each(order.begin(), end, [&](Index edge) { visit(edge, v); });
-    }
-  }
+                           const std::vector<Rank>& ranks, Rank half_turn, Visit visit) {
+  const EdgesByRank edges(edge_ranks, half_turn);
+  for_each_cone(polygon, ranks, [&](Index v, Rank in, Rank out) {
+    edges.for_each(in, out, [&](Index edge) { visit(edge, v); });
+  });
 }
 
 // The parallel pair of edges, one of A and one of B, that the edge e is part of: e's own
@@ -134,12 +110,14 @@ std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
       edges.push_back({sum_of(operands, e.i, e.j), sum_of(operands, e.i, b.next(e.j)), source});
     }
   };
-  for_each_contribution(directions.rank_a, b, directions.rank_b, [&](Index i, Index j) {
-    add({PairEdge::translated, i, j});
-  });
-  for_each_contribution(directions.rank_b, a, directions.rank_a, [&](Index j, Index i) {
-    add({PairEdge::corner, i, j});
-  });
+  for_each_contribution(directions.rank_a, b, directions.rank_b, directions.half_turn,
+                        [&](Index i, Index j) {
+                          add({PairEdge::translated, i, j});
+                        });
+  for_each_contribution(directions.rank_b, a, directions.rank_a, directions.half_turn,
+                        [&](Index j, Index i) {
+                          add({PairEdge::corner, i, j});
+                        });
   const auto key = [](const SupersetEdge& e) {
     return std::tuple(e.source.kind, e.source.a, e.source.b);
   };
