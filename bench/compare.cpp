@@ -11,7 +11,6 @@
 #include <exception>
 #include <iterator>
 #include <set>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,6 +19,7 @@
 #include "measure.hpp"
 #include "polygon.hpp"
 #include "sets.hpp"
+#include "text.hpp"
 
 namespace gcv::bench {
 
@@ -34,19 +34,6 @@ struct Options {
   std::vector<std::string> sets;     // all, if none are named
   std::vector<std::string> systems;  // likewise
 };
-
-std::vector<std::string> split(const std::string& text) {
-  std::vector<std::string> names;
-  std::istringstream stream(text);
-  for (std::string name; std::getline(stream, name, ',');) {
-    names.push_back(name);
-  }
-  return names;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
 
 Options parse(const std::vector<std::string>& arguments) {
   Options options;
@@ -67,40 +54,6 @@ Options parse(const std::vector<std::string>& arguments) {
     }
   }
   return options;
-}
-
-// What every system is given: counter-clockwise, not closed, no vertex repeated in a row.
-Ring tidy(const Ring& ring) {
-  Ring result;
-  for (const Point& p : ring) {
-    if (result.empty() || !(p == result.back())) {
-      result.push_back(p);
-    }
-  }
-  while (result.size() > 1 && result.back() == result.front()) {
-    result.pop_back();
-  }
-  double twice_area = 0;
-  for (std::size_t k = 1; k + 1 < result.size(); ++k) {
-    const Point& o = result[0];
-    twice_area += (result[k].x - o.x) * (result[k + 1].y - o.y) -
-                  (result[k].y - o.y) * (result[k + 1].x - o.x);
-  }
-  if (twice_area < 0) {
-    std::reverse(result.begin(), result.end());
-  }
-  return result;
-}
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-    }
-    result += c;
-  }
-  return result + '"';
 }
 
 std::string described(const Ring& ring) {
@@ -196,7 +149,7 @@ class Comparison {
     for (int round = 0; round < options_.rounds; ++round) {
       for (std::size_t k = 0; k < tried.size(); ++k) {
         if (!results[k].is_over()) {
-          results[k].add(measure(tried[k], a, b, options_.limit));
+          results[k].add(measure(tried[k], a, b, {options_.limit}));
         }
       }
     }

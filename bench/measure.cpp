@@ -16,6 +16,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 namespace gcv::bench {
 
@@ -26,7 +27,7 @@ constexpr int batches = 5;
 constexpr double batch_seconds = 0.002;
 constexpr rlim_t most_memory = rlim_t{12} << 30;
 
-// What comes through the pipe: a failure or all the rest.
+// What comes through the pipe: a failure or all the rest; the ring behind it, if wanted.
 struct Report {
   double seconds;
   std::size_t vertices;
@@ -64,15 +65,14 @@ double area_of(const Ring& ring) {
   return std::abs(twice) / 2;
 }
 
-Report run(const System& system, const Ring& a, const Ring& b) {
+Report run(const System& system, const Ring& a, const Ring& b, bool is_timed, Ring& ring) {
   const Job job = system.prepare(a, b);
-  Ring ring;
   Report report{};
   const double before = processor_seconds();
   report.seconds = seconds_of(job, 1, ring);
   if (report.seconds >= enough_seconds) {
     report.seconds = processor_seconds() - before;
-  } else {
+  } else if (is_timed) {
     const int runs = static_cast<int>(std::ceil(batch_seconds / report.seconds));
     for (int batch = 0; batch < batches; ++batch) {
       report.seconds = std::min(report.seconds, seconds_of(job, runs, ring));
@@ -87,27 +87,58 @@ Report run(const System& system, const Ring& a, const Ring& b) {
   return report;
 }
 
-Report run_caught(const System& system, const Ring& a, const Ring& b) {
+Report run_caught(const System& system, const Ring& a, const Ring& b, bool is_timed, Ring& ring) {
   Report report{};
   try {
-    report = run(system, a, b);
+    report = run(system, a, b, is_timed, ring);
   } catch (const std::exception& exception) {
+    ring.clear();
     std::snprintf(report.failure.data(), report.failure.size(), "error: %s", exception.what());
   }
   return report;
 }
 
-[[noreturn]] void child(const System& system, const Ring& a, const Ring& b, double limit, int out) {
+bool write_all(int out, const void* data, std::size_t bytes) {
+  const char* next = static_cast<const char*>(data);
+  while (bytes > 0) {
+    const ssize_t written = write(out, next, bytes);
+    if (written <= 0) {
+      return false;
+    }
+    next += written;
+    bytes -= static_cast<std::size_t>(written);
+  }
+  return true;
+}
+
+bool read_all(int in, void* data, std::size_t bytes) {
+  char* next = static_cast<char*>(data);
+  while (bytes > 0) {
+    const ssize_t got = read(in, next, bytes);
+    if (got <= 0) {
+      return false;
+    }
+    next += got;
+    bytes -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+[[noreturn]] void child(const System& system, const Ring& a, const Ring& b, const Demand& demand,
+                        int out) {
   const rlimit memory{most_memory, most_memory};
   setrlimit(RLIMIT_AS, &memory);
   const rlimit no_core{0, 0};
   setrlimit(RLIMIT_CORE, &no_core);
-  const auto seconds = static_cast<rlim_t>(std::ceil(limit));
+  const auto seconds = static_cast<rlim_t>(std::ceil(demand.limit));
   const rlimit time{seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
-  const Report report = run_caught(system, a, b);
-  const bool written = write(out, &report, sizeof report) == sizeof report;
-  _exit(written ? 0 : 1);
+  Ring ring;
+  const Report report = run_caught(system, a, b, demand.is_timed, ring);
+  const bool is_written =
+      write_all(out, &report, sizeof report) &&
+      (!demand.wants_ring || write_all(out, ring.data(), ring.size() * sizeof(Point)));
+  _exit(is_written ? 0 : 1);
 }
 
 Measurement failed(int status, double limit) {
@@ -127,7 +158,7 @@ Measurement failed(int status, double limit) {
 
 }  // namespace
 
-Measurement measure(const System& system, const Ring& a, const Ring& b, double limit) {
+Measurement measure(const System& system, const Ring& a, const Ring& b, const Demand& demand) {
   int ends[2];
   if (pipe(ends) != 0) {
     throw std::system_error(errno, std::generic_category(), "pipe");
@@ -137,19 +168,21 @@ Measurement measure(const System& system, const Ring& a, const Ring& b, double l
     throw std::system_error(errno, std::generic_category(), "fork");
   }
   if (process == 0) {
-    child(system, a, b, limit, ends[1]);
+    child(system, a, b, demand, ends[1]);
   }
   close(ends[1]);
   Report report{};
-  const bool complete = read(ends[0], &report, sizeof report) == sizeof report;
+  bool is_complete = read_all(ends[0], &report, sizeof report);
+  Ring ring(is_complete && demand.wants_ring ? report.vertices : 0);
+  is_complete = is_complete && read_all(ends[0], ring.data(), ring.size() * sizeof(Point));
   close(ends[0]);
   int status = 0;
   waitpid(process, &status, 0);
-  if (!complete) {
-    return failed(status, limit);
+  if (!is_complete) {
+    return failed(status, demand.limit);
   }
   return {report.seconds,     report.vertices,       report.area, report.peak_bytes,
-          report.observation, report.failure.data(), false};
+          report.observation, report.failure.data(), false,       std::move(ring)};
 }
 
 }  // namespace gcv::bench

@@ -8,6 +8,12 @@
 
 namespace gcv::bench {
 
+struct Demand {
+  double limit;             // seconds after which the process is ended
+  bool is_timed = true;     // or else run just once
+  bool wants_ring = false;  // or else its measures alone
+};
+
 struct Measurement {
   double seconds = 0;  // for one run: the least of some
   std::size_t vertices = 0;
@@ -16,9 +22,9 @@ struct Measurement {
   Observation observation;
   std::string failure;      // empty where there is a result
   bool is_cut_off = false;  // it took too long
+  Ring ring = {};           // where it was wanted
 };
 
-// A process that takes more than `limit` seconds is ended.
-Measurement measure(const System& system, const Ring& a, const Ring& b, double limit);
+Measurement measure(const System& system, const Ring& a, const Ring& b, const Demand& demand);
 
 }  // namespace gcv::bench

@@ -5,9 +5,11 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <sstream>
 
 #include "data.hpp"
+#include "hard/shapes.hpp"
 #include "shapes.hpp"
 
 namespace gcv::bench {
@@ -157,6 +159,34 @@ std::vector<int> up_to(int most, std::vector<int> sizes) {
   return sizes;
 }
 
+Ring to_ring(const hard::Polygon& polygon) {
+  Ring ring;
+  for (const auto& [x, y] : polygon) {
+    ring.push_back({x, y});
+  }
+  return ring;
+}
+
+// The pairs of pairs.txt with these names, in their order.
+std::vector<Pair> named_pairs(const std::filesystem::path& directory,
+                              const std::vector<std::string>& names) {
+  std::vector<Pair> pairs;
+  for (const std::string& name : names) {
+    for (const Set& block : blocks_of_pairs(directory)) {
+      std::copy_if(block.pairs.begin(), block.pairs.end(), std::back_inserter(pairs),
+                   [&](const Pair& pair) { return pair.name == name; });
+    }
+  }
+  return pairs;
+}
+
+Pair far_away(const Pair& pair) {
+  return {pair.name + ", 10^9 away", [make = pair.make] {
+            const auto [a, b] = make();
+            return Rings{moved(a, 1e9 + 1 / 3.0, -1e9 / 7), moved(b, -3e9 / 7, 2e9 + 1 / 3.0)};
+          }};
+}
+
 }  // namespace
 
 std::vector<Set> all_sets(bool quick) {
@@ -178,6 +208,63 @@ std::vector<Set> all_sets(bool quick) {
   sets.push_back(tiny_pairs(quick ? 5 : 20));
   sets.push_back(hostile());
   return sets;
+}
+
+std::vector<Pair> accuracy_pairs(bool quick) {
+  std::vector<Pair> pairs;
+  if (const auto directory = test::data_directory()) {
+    pairs = named_pairs(*directory, {"fork", "stars", "~monkey", "gardeyn5"});
+    pairs.push_back(far_away(pairs.at(0)));
+  } else {
+    std::fputs("no data: neither GCV_DATA_DIR nor ../shared/data; going on without\n", stderr);
+  }
+  const int n = quick ? 1000 : 10000;
+  pairs.push_back({"coasts " + size_name(n), [n] { return coasts(n, n); }});
+  pairs.push_back({"rotated slot", rotated_slots(1).front().make});
+  pairs.push_back({"needles", [] {
+                     return Rings{needles(12), test::negated(needles(9))};
+                   }});
+  pairs.push_back({"histograms 100 x 100", [] {
+                     Random random(100);
+                     Ring a = random_histogram(random, 50, 20);
+                     return Rings{std::move(a), random_histogram(random, 50, 20)};
+                   }});
+  pairs.push_back({"tiny", tiny_pairs(1).pairs.front().make});
+  return pairs;
+}
+
+std::vector<Pair> rotated_slots(int count) {
+  std::vector<Pair> pairs;
+  Random random(51);
+  for (int k = 0; k < count; ++k) {
+    const auto [block, part] = hard::rotated_slot(random, k);
+    pairs.push_back({"slot " + std::to_string(k), [a = to_ring(block), b = to_ring(part)] {
+                       return Rings{a, b};
+                     }});
+  }
+  return pairs;
+}
+
+std::vector<Point> tidy(const std::vector<Point>& ring) {
+  Ring result;
+  for (const Point& p : ring) {
+    if (result.empty() || !(p == result.back())) {
+      result.push_back(p);
+    }
+  }
+  while (result.size() > 1 && result.back() == result.front()) {
+    result.pop_back();
+  }
+  double twice_area = 0;
+  for (std::size_t k = 1; k + 1 < result.size(); ++k) {
+    const Point& o = result[0];
+    twice_area += (result[k].x - o.x) * (result[k + 1].y - o.y) -
+                  (result[k].y - o.y) * (result[k + 1].x - o.x);
+  }
+  if (twice_area < 0) {
+    std::reverse(result.begin(), result.end());
+  }
+  return result;
 }
 
 }  // namespace gcv::bench

@@ -31,4 +31,13 @@ struct Set {
 // All sets; those of data only where the data is. A quick run has fewer and smaller pairs.
 std::vector<Set> all_sets(bool quick);
 
+// The pairs of the report on accuracy: the real ones only where the data is.
+std::vector<Pair> accuracy_pairs(bool quick);
+
+// Turned slots and what fits them exactly.
+std::vector<Pair> rotated_slots(int count);
+
+// What every system is given: counter-clockwise, not closed, no vertex repeated in a row.
+std::vector<Point> tidy(const std::vector<Point>& ring);
+
 }  // namespace gcv::bench

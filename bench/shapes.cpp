@@ -136,6 +136,16 @@ Ring spiral(int turns) {
   return ring;
 }
 
+Ring needles(int spikes) {
+  Ring ring;
+  for (int k = 0; k < spikes; ++k) {
+    ring.push_back({1, 0.1 * k});
+    ring.push_back({100 + k / 7.0, 0.1 * k + 0.05});
+  }
+  ring.insert(ring.end(), {{1, 0.1 * spikes}, {0, 0.1 * spikes}, {0, 0}});
+  return ring;
+}
+
 Ring scaled(Ring ring, double factor) {
   for (Point& p : ring) {
     p = {factor * p.x, factor * p.y};

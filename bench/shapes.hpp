@@ -35,6 +35,9 @@ Ring zigzag(int corners);
 // A wall that winds inwards: 8 vertices a turn.
 Ring spiral(int turns);
 
+// Spikes to the right, a thousand times as long as wide, in nearly the same direction.
+Ring needles(int spikes);
+
 Ring scaled(Ring ring, double factor);
 Ring moved(Ring ring, double x, double y);
 

@@ -17,7 +17,7 @@ using BoostPoint = bp::point_data<int>;
 using BoostPolygon = bp::polygon_data<int>;
 using BoostRing = std::vector<BoostPoint>;
 
-BoostRing to_boost(const IntegerGrid& grid, const Ring& ring) {
+BoostRing to_boost(const IntegerGrid<int>& grid, const Ring& ring) {
   BoostRing result;
   for (const Point& p : ring) {
     result.emplace_back(grid.to_grid(p.x), grid.to_grid(p.y));
@@ -62,9 +62,9 @@ BoostPolygon minkowski_sum(const BoostRing& a, const BoostRing& b) {
 
 }  // namespace
 
-Job boost_polygon(const Ring& a, const Ring& b) {
-  return {[&a, &b] {
-    const IntegerGrid grid(a, b);
+Job boost_polygon(const Ring& a, const Ring& b, double cells_per_unit) {
+  return {[&a, &b, cells_per_unit] {
+    const IntegerGrid<int> grid(cells_per_unit);
     const BoostPolygon boundary = minkowski_sum(to_boost(grid, a), to_boost(grid, b));
     Ring ring;
     for (const BoostPoint& p : boundary) {

@@ -1,38 +1,38 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // The integer grid that polygons are rounded to for systems that compute on integers: the
-// same for both polygons, and all of the sum within 2^29.
+// same for both polygons.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "system.hpp"
 
 namespace gcv::bench {
 
+template <class Integer>
 class IntegerGrid {
  public:
-  IntegerGrid(const Ring& a, const Ring& b) : exponent_(28 - exponent_of(a, b)) {}
+  explicit IntegerGrid(double cells_per_unit, Integer most = std::numeric_limits<Integer>::max())
+      : cells_per_unit_(cells_per_unit), most_(static_cast<double>(most / 2)) {}
 
-  [[nodiscard]] int to_grid(double x) const {
-    return static_cast<int>(std::lround(std::ldexp(x, exponent_)));
+  // Throws where sums could be beyond the largest integer.
+  [[nodiscard]] Integer to_grid(double x) const {
+    const double cell = std::round(x * cells_per_unit_);
+    if (std::abs(cell) > most_) {
+      throw std::range_error("refused: beyond the integers");
+    }
+    return static_cast<Integer>(cell);
   }
-  [[nodiscard]] double from_grid(double x) const { return std::ldexp(x, -exponent_); }
+  [[nodiscard]] double from_grid(Integer cell) const {
+    return static_cast<double>(cell) / cells_per_unit_;
+  }
 
  private:
-  // |x| < 2^exponent for all coordinates.
-  static int exponent_of(const Ring& a, const Ring& b) {
-    double size = 0;
-    for (const Ring* ring : {&a, &b}) {
-      for (const Point& p : *ring) {
-        size = std::max({size, std::abs(p.x), std::abs(p.y)});
-      }
-    }
-    return std::ilogb(size) + 1;
-  }
-
-  int exponent_;
+  double cells_per_unit_;
+  double most_;
 };
 
 }  // namespace gcv::bench

@@ -63,10 +63,17 @@ PolygonHandle make_handle(const Library& library, const Ring& ring) {
   return {polygon, library.polygon_destroy};
 }
 
+gcv_options options_of(Precision precision) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.rounding = precision.outward ? GCV_ROUND_OUTWARD : GCV_ROUND_NEAREST;
+  options.tolerance = precision.tolerance;
+  return options;
+}
+
 Ring sum(const Library& library, const gcv_polygon* a, const gcv_polygon* b,
-         Observation& observation) {
+         const gcv_options& options, Observation& observation) {
   gcv_outer_face* sum = nullptr;
-  library.check(library.minkowski_sum(a, b, nullptr, &sum));
+  library.check(library.minkowski_sum(a, b, &options, &sum));
   const std::unique_ptr<gcv_outer_face, decltype(&gcv_outer_face_destroy)> face(
       sum, library.outer_face_destroy);
   library.check(library.exact_vertex_count(sum, &observation.exact_vertices));
@@ -79,23 +86,23 @@ Ring sum(const Library& library, const gcv_polygon* a, const gcv_polygon* b,
 
 }  // namespace
 
-std::function<Job(const Ring&, const Ring&)> libgcv_cold(const char* library) {
-  return [lib = load(library)](const Ring& a, const Ring& b) {
+Prepare libgcv_cold(const char* library, Precision precision) {
+  return [lib = load(library), options = options_of(precision)](const Ring& a, const Ring& b) {
     auto observation = std::make_shared<Observation>();
-    return Job{[lib, &a, &b, observation] {
+    return Job{[lib, options, &a, &b, observation] {
                  const PolygonHandle p = make_handle(lib, a);
                  const PolygonHandle q = make_handle(lib, b);
-                 return sum(lib, p.get(), q.get(), *observation);
+                 return sum(lib, p.get(), q.get(), options, *observation);
                },
                [observation] { return *observation; }};
   };
 }
 
-std::function<Job(const Ring&, const Ring&)> libgcv_prepared(const char* library) {
-  return [lib = load(library)](const Ring& a, const Ring& b) {
+Prepare libgcv_prepared(const char* library, Precision precision) {
+  return [lib = load(library), options = options_of(precision)](const Ring& a, const Ring& b) {
     auto observation = std::make_shared<Observation>();
-    return Job{[lib, p = make_handle(lib, a), q = make_handle(lib, b), observation] {
-                 return sum(lib, p.get(), q.get(), *observation);
+    return Job{[lib, options, p = make_handle(lib, a), q = make_handle(lib, b), observation] {
+                 return sum(lib, p.get(), q.get(), options, *observation);
                },
                [observation] { return *observation; }};
   };

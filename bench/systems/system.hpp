@@ -34,20 +34,28 @@ enum class Role {
   peer,            // runs on the sets that are for all peers
 };
 
+using Prepare = std::function<Job(const Ring& a, const Ring& b)>;
+
 struct System {
   std::string name;
   Role role;
   double most_vertex_pairs;  // not tried on polygons of n and m vertices beyond n m
-  std::function<Job(const Ring& a, const Ring& b)> prepare;
+  Prepare prepare;
 };
 
 // All systems of this build.
 std::vector<System> systems();
 
+// Of gcv_options.
+struct Precision {
+  bool outward = false;
+  double tolerance = 0;  // in input units
+};
+
 // libgcv through its C interface, from the shared library in that file: with both polygons
 // made anew for each sum, or with their handles at hand.
-std::function<Job(const Ring&, const Ring&)> libgcv_cold(const char* library);
-std::function<Job(const Ring&, const Ring&)> libgcv_prepared(const char* library);
+Prepare libgcv_cold(const char* library, Precision precision = {});
+Prepare libgcv_prepared(const char* library, Precision precision = {});
 
 // CGAL with its exact kernel; the result is converted to doubles.
 Job cgal_reduced_convolution(const Ring& a, const Ring& b);
@@ -60,9 +68,16 @@ Job cgal_decomposition(const Ring& a, const Ring& b);
 Job gcv_arrangement(const Ring& a, const Ring& b);
 Job reduced_convolution_arrangement(const Ring& a, const Ring& b);
 
-// Unions of parallelograms, on integer grids: all of the sum is within 2^29.
-Job boost_polygon(const Ring& a, const Ring& b);
-Job clipper(const Ring& a, const Ring& b);
-Job clipper2(const Ring& a, const Ring& b);
+// SFCGAL through its C interface, which is exact too; the result is converted to doubles.
+Job sfcgal(const Ring& a, const Ring& b);
+
+// Unions of parallelograms, on integer grids. They throw where the grid is too fine for
+// their integers.
+Job boost_polygon(const Ring& a, const Ring& b, double cells_per_unit);
+Job clipper(const Ring& a, const Ring& b, double cells_per_unit);
+Job clipper2(const Ring& a, const Ring& b, double cells_per_unit);
+
+// The finest grid of a power of two on which all of the sum is within 2^bits.
+double cells_per_unit(const Ring& a, const Ring& b, int bits);
 
 }  // namespace gcv::bench

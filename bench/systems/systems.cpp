@@ -1,9 +1,32 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "system.hpp"
 
 namespace gcv::bench {
+
+namespace {
+
+using OnGrid = Job (*)(const Ring&, const Ring&, double);
+
+Prepare on_29_bits(OnGrid job) {
+  return
+      [job](const Ring& a, const Ring& b) { return job(a, b, cells_per_unit(a, b, 29)); };
+}
+
+}  // namespace
+
+double cells_per_unit(const Ring& a, const Ring& b, int bits) {
+  double size = 0;
+  for (const Ring* ring : {&a, &b}) {
+    for (const Point& p : *ring) {
+      size = std::max({size, std::abs(p.x), std::abs(p.y)});
+    }
+  }
+  return std::ldexp(1, bits - 2 - std::ilogb(size));
+}
 
 std::vector<System> systems() {
   constexpr double any = std::numeric_limits<double>::infinity();
@@ -15,14 +38,14 @@ std::vector<System> systems() {
           {"libgcv without windows", Role::peer, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
           {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2
-          {"Clipper2", Role::principal_peer, 3e5, clipper2},
+          {"Clipper2", Role::principal_peer, 3e5, on_29_bits(clipper2)},
 #endif
-          {"Clipper", Role::principal_peer, 3e5, clipper},
+          {"Clipper", Role::principal_peer, 3e5, on_29_bits(clipper)},
           {"CGAL full convolution", Role::peer, 1e5, cgal_full_convolution},
           {"CGAL decomposition", Role::peer, 2e6, cgal_decomposition},
           {"GCVMSOF by arrangement", Role::peer, 2e6, gcv_arrangement},
           {"RCMSOF by arrangement", Role::peer, 2e6, reduced_convolution_arrangement},
-          {"Boost.Polygon", Role::peer, 1e5, boost_polygon}};
+          {"Boost.Polygon", Role::peer, 1e5, on_29_bits(boost_polygon)}};
 }
 
 }  // namespace gcv::bench

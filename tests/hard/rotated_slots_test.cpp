@@ -30,15 +30,7 @@ TEST(RotatedSlots, AreSimple) {
   double largest_error = 0;
   const int count = 10000;
   for (int k = 0; k < count; ++k) {
-    const Slot slot = random_slot(random);
-    const Slot straight{slot.neck_width, slot.neck_depth, slot.neck_width, 1};
-    const Polygon block = block_with(k % 3 == 0 ? straight : slot);
-    const Polygon part = k % 3 == 1
-                             ? key_of(slot)
-                             : rectangle(slot.neck_width, uniform(random, 1, slot.chamber_depth));
-    const Map turn = random_rotation(random);
-    const Polygon a = mapped(block, turn);
-    const Polygon b = negated(mapped(part, turn));
+    const auto [a, b] = rotated_slot(random, k);
     const invariants::Rounded sum = invariants::rounded_sum(a, b);
     naive_failures += invariants::is_simple(sum.naive) ? 0 : 1;
     if (!invariants::is_simple(sum.returned)) {

@@ -97,6 +97,17 @@ Slot random_slot(Random& random) {
   return {neck, uniform(random, 1, 20), neck + uniform(random, 0, 20), uniform(random, 1, 20)};
 }
 
+std::pair<Polygon, Polygon> rotated_slot(Random& random, int k) {
+  const Slot slot = random_slot(random);
+  const Slot straight{slot.neck_width, slot.neck_depth, slot.neck_width, 1};
+  const Polygon block = block_with(k % 3 == 0 ? straight : slot);
+  const Polygon part = k % 3 == 1
+                           ? key_of(slot)
+                           : rectangle(slot.neck_width, uniform(random, 1, slot.chamber_depth));
+  const Map turn = random_rotation(random);
+  return {mapped(block, turn), negated(mapped(part, turn))};
+}
+
 Polygon comb(int teeth, double width, double gap, double height) {
   Polygon polygon{{0, -1}, {(teeth - 1) * (width + gap) + width, -1}};
   for (int k = teeth - 1; k >= 0; --k) {

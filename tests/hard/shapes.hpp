@@ -4,6 +4,7 @@
 #pragma once
 
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "invariants.hpp"
@@ -52,6 +53,10 @@ Polygon block_with(const Slot& slot);
 // What fills the slot exactly, upright.
 Polygon key_of(const Slot& slot);
 Slot random_slot(Random& random);
+
+// A block with a random slot and, negated, a part that fits its neck or all of it exactly,
+// turned by the same angle in doubles. Of which kind they are goes by k modulo 3.
+std::pair<Polygon, Polygon> rotated_slot(Random& random, int k);
 
 // Teeth that point upwards from a bar.
 Polygon comb(int teeth, double width, double gap, double height);
