@@ -71,7 +71,8 @@ Prepare on_grid(Job (*job)(const Ring&, const Ring&, double), double cells_per_u
 std::string power_of_ten(int exponent) { return "10^" + std::to_string(exponent); }
 
 // All methods, for a sum of that diameter. Of a system, the settings that tell most come
-// first: where one takes long, later ones are left out.
+// first: where one takes long, later ones are left out. Decimal grids have so many digits
+// behind the power of ten that is next above the diameter: round numbers stay what they are.
 std::vector<Method> methods(const Ring& a, const Ring& b, double diameter, bool quick) {
   std::vector<Method> result;
   const auto add = [&](const char* name, const std::string& setting, double resolution,
@@ -79,8 +80,8 @@ std::vector<Method> methods(const Ring& a, const Ring& b, double diameter, bool 
     constexpr double any = std::numeric_limits<double>::infinity();
     result.push_back({setting, resolution, {name, Role::peer, any, std::move(prepare)}});
   };
-  for (const auto& [name, outward] : {std::pair("libgcv, nearest", false),
-                                      std::pair("libgcv, outward", true)}) {
+  for (const auto& [name, outward] :
+       {std::pair("libgcv, nearest", false), std::pair("libgcv, outward", true)}) {
     add(name, "exact", 0, libgcv_cold(GCV_LIBRARY, {outward}));
     for (int k = quick ? 2 : 1; k <= 12; k += quick ? 5 : 1) {
       const double tolerance = std::pow(10, -k) * diameter;
@@ -92,9 +93,10 @@ std::vector<Method> methods(const Ring& a, const Ring& b, double diameter, bool 
   add("libgcv, plain doubles", "doubles", 0, libgcv_cold(GCV_PLAIN_LIBRARY));
   add("CGAL reduced convolution", "exact", 0, cgal_reduced_convolution);
   add("SFCGAL", "exact", 0, sfcgal);
-  for (const int k : quick ? std::vector{6, 2, 12} : std::vector{6, 2, 12, 4, 9, 3, 5, 7, 8, 10, 11}) {
-    const double cells = std::pow(10, k) / diameter;
-    add("Clipper", "grid 10^-" + std::to_string(k), 1 / cells, on_grid(clipper, cells));
+  for (const int k :
+       quick ? std::vector{6, 2, 12} : std::vector{6, 2, 12, 4, 9, 3, 5, 7, 8, 10, 11}) {
+    const double cells = std::pow(10, k - std::ceil(std::log10(diameter)));
+    add("Clipper", std::to_string(k) + " digits", 1 / cells, on_grid(clipper, cells));
   }
   for (const int bits : quick ? std::vector{31, 16} : std::vector{31, 16, 22, 28, 19, 25}) {
     const double cells = cells_per_unit(a, b, bits);
@@ -174,18 +176,18 @@ std::string json(const Method& method, Series& series, const Judge& judge, doubl
     return head + "\"failure\": " + quoted(series.first.failure) + "}";
   }
   std::sort(series.seconds.begin(), series.seconds.end());
-  const std::size_t corners =
-      method.resolution == 0 ? series.first.observation.exact_vertices : 0;
+  const std::size_t corners = method.resolution == 0 ? series.first.observation.exact_vertices : 0;
   try {
     const Verdict verdict = judge.judge(series.first.ring, method.resolution, corners);
-    return head + formatted("\"ms\": %.6g, \"rounds\": %zu, \"vertices\": %zu, \"error\": [%.6g, %.6g], "
-                            "\"simple\": %s, \"counter_clockwise\": %s, \"complete\": %s, "
-                            "\"contains\": %s}",
-                            1000 * series.seconds[series.seconds.size() / 2],
-                            series.seconds.size(), series.first.vertices,
-                            verdict.error.lower / diameter, verdict.error.upper / diameter,
-                            json(verdict.is_simple), json(verdict.is_counter_clockwise),
-                            json(verdict.is_complete), json(verdict.contains_exact));
+    return head + formatted(
+                      "\"ms\": %.6g, \"rounds\": %zu, \"vertices\": %zu, \"error\": [%.6g, %.6g], "
+                      "\"simple\": %s, \"counter_clockwise\": %s, \"complete\": %s, "
+                      "\"contains\": %s}",
+                      1000 * series.seconds[series.seconds.size() / 2], series.seconds.size(),
+                      series.first.vertices, verdict.error.lower / diameter,
+                      verdict.error.upper / diameter, json(verdict.is_simple),
+                      json(verdict.is_counter_clockwise), json(verdict.is_complete),
+                      json(verdict.contains_exact));
   } catch (const std::exception& exception) {
     return head + "\"failure\": " + quoted(exception.what()) + "}";
   }
@@ -199,9 +201,10 @@ void report(const Pair& pair, const Options& options) {
   const std::vector<Method> tried = methods(a, b, size, options.quick);
   std::vector<Series> results = run(tried, a, b, options);
   const Judge judge(a, b);
-  std::printf("{\"pair\": %s, \"a\": %zu, \"b\": %zu, \"exact_vertices\": %zu, "
-              "\"diameter\": %.6g, \"results\": [",
-              quoted(pair.name).c_str(), a.size(), b.size(), judge.exact_vertices(), size);
+  std::printf(
+      "{\"pair\": %s, \"a\": %zu, \"b\": %zu, \"exact_vertices\": %zu, "
+      "\"diameter\": %.6g, \"results\": [",
+      quoted(pair.name).c_str(), a.size(), b.size(), judge.exact_vertices(), size);
   for (std::size_t k = 0; k < tried.size(); ++k) {
     std::printf("%s%s", k == 0 ? "" : ", ", json(tried[k], results[k], judge, size).c_str());
   }
@@ -241,8 +244,7 @@ void report_slots(const Options& options) {
         counts.push_back({tried[k], {}});
       }
       Count& count = counts[k].second;
-      const Measurement measurement =
-          measure(tried[k].system, a, b, {options.limit, false, true});
+      const Measurement measurement = measure(tried[k].system, a, b, {options.limit, false, true});
       const std::size_t corners =
           tried[k].resolution == 0 ? measurement.observation.exact_vertices : 0;
       try {
@@ -259,11 +261,12 @@ void report_slots(const Options& options) {
   std::printf("{\"slots\": %d, \"results\": [", options.slots);
   for (std::size_t k = 0; k < counts.size(); ++k) {
     const auto& [method, count] = counts[k];
-    std::printf("%s{\"system\": %s, \"setting\": %s, \"no_result\": %d, \"not_simple\": %d, "
-                "\"incomplete\": %d, \"wrong\": %d, \"containing\": %d, \"largest_error\": %.6g}",
-                k == 0 ? "" : ", ", quoted(method.system.name).c_str(),
-                quoted(method.setting).c_str(), count.no_result, count.not_simple,
-                count.incomplete, count.wrong, count.containing, count.largest_error);
+    std::printf(
+        "%s{\"system\": %s, \"setting\": %s, \"no_result\": %d, \"not_simple\": %d, "
+        "\"incomplete\": %d, \"wrong\": %d, \"containing\": %d, \"largest_error\": %.6g}",
+        k == 0 ? "" : ", ", quoted(method.system.name).c_str(), quoted(method.setting).c_str(),
+        count.no_result, count.not_simple, count.incomplete, count.wrong, count.containing,
+        count.largest_error);
   }
   std::printf("]}\n");
 }

@@ -397,6 +397,7 @@ def machine_description() -> dict[str, str]:
         "compiler": output(compiler, "--version") + ", Release",
         "libgcv": output("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
         "CGAL": version("libcgal-dev"),
+        "SFCGAL": version("libsfcgal-dev"),
         "Clipper": version("libpolyclipping-dev"),
         "Boost.Polygon": version("libboost-dev"),
         "GMP": version("libgmp-dev"),

@@ -128,8 +128,8 @@ class Search {
       while (ahead < edges_ahead && !is_near(from, to, q, (edge + ahead) % q.size())) {
         ++ahead;
       }
-      edge = ahead < edges_ahead ? (edge + ahead) % q.size()
-                                 : cover(place(from, q), place(to, q), q);
+      edge =
+          ahead < edges_ahead ? (edge + ahead) % q.size() : cover(place(from, q), place(to, q), q);
     }
   }
 

@@ -190,8 +190,7 @@ Verdict Judge::judge(const Ring& returned, double resolution, std::size_t corner
   verdict.is_simple = CGAL::is_simple_2(points.begin(), points.end(), DoubleKernel());
   if (verdict.is_simple) {
     verdict.is_counter_clockwise =
-        CGAL::orientation_2(points.begin(), points.end(), DoubleKernel()) ==
-        CGAL::COUNTERCLOCKWISE;
+        CGAL::orientation_2(points.begin(), points.end(), DoubleKernel()) == CGAL::COUNTERCLOCKWISE;
     verdict.contains_exact = is_exact || exact_->is_within(points);
   }
   return verdict;

@@ -12,8 +12,7 @@ namespace {
 using OnGrid = Job (*)(const Ring&, const Ring&, double);
 
 Prepare on_29_bits(OnGrid job) {
-  return
-      [job](const Ring& a, const Ring& b) { return job(a, b, cells_per_unit(a, b, 29)); };
+  return [job](const Ring& a, const Ring& b) { return job(a, b, cells_per_unit(a, b, 29)); };
 }
 
 }  // namespace
