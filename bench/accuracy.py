@@ -143,20 +143,24 @@ def sentence(row: Row) -> str:
 def draw(axes: Axes, row: Row) -> None:
     """Draw time against error: wrong results hollow, failures as crosses at the right."""
     times = [float(r["ms"]) for r in row["results"] if not failed(r)]
-    low, high = min(times) / 1.6, max(times) * 2
-    edge = high * (high / low) ** 0.06
-    for system, (colour, marker) in STYLES.items():
+    low, high = min(times) / 2, max(*times, 20 * min(times)) * 2
+    step = (high / low) ** (0.12 / len(STYLES))  # each system fails in a column of its own
+    end = high * step ** (len(STYLES) + 1)
+    for k, (system, (colour, marker)) in enumerate(STYLES.items()):
         results = of_system(row, system)
         done = [r for r in results if not failed(r)]
-        places = [(r["ms"], max(error(r), LEAST_ERROR) if error(r) > 0 else ZERO) for r in done]
-        axes.plot(*zip(*places), color=colour, linewidth=1, alpha=0.6, zorder=2) if places else None
-        for place, r in zip(places, done):
-            axes.plot(*place, marker, color=colour, markersize=6, zorder=3,
+        ms = [float(r["ms"]) for r in done]
+        errors = [max(error(r), LEAST_ERROR) if error(r) > 0 else ZERO for r in done]
+        axes.plot(ms, errors, color=colour, linewidth=1, alpha=0.6, zorder=2)
+        for x, y, r in zip(ms, errors, done):
+            axes.plot(x, y, marker, color=colour, markersize=6, zorder=3,
                       markerfacecolor=colour if right(r) else "white")  # fmt: skip
-        lost = [max(r["resolution"], 1e-16) for r in results if failed(r)]
-        axes.plot([edge] * len(lost), lost, "x", color=colour, markersize=5, zorder=3)
-    axes.set(xscale="log", yscale="log", xlim=(low, edge * (edge / high)), ylim=(ZERO / 4, 2))
-    axes.axvspan(high, edge * (edge / high), color="#f4e3e1", zorder=0)
+        without = [max(r["resolution"], 1e-16) for r in results
+                   if failed(r) and r["failure"] != "not tried"]  # fmt: skip
+        axes.plot([high * step ** (k + 1)] * len(without), without, "x", color=colour,
+                  markersize=5, zorder=3)  # fmt: skip
+    axes.set(xscale="log", yscale="log", xlim=(low, end), ylim=(ZERO / 4, 2))
+    axes.axvspan(high, end, color="#f4e3e1", zorder=0)
     axes.axhspan(ZERO / 4, ZERO * 4, color="#e8f3e8", zorder=0)
     axes.set_yticks([ZERO, *(10.0**k for k in range(-18, 1, 3))],
                     ["0", *(f"$10^{{{k}}}$" for k in range(-18, 1, 3))])  # fmt: skip
@@ -276,12 +280,13 @@ distance of the returned ring from the exact one, edges and all, over the diamet
 distance is bounded from exact coordinates; the upper bound is shown, at most 5 % above the lower
 one. Both axes are logarithmic; the strip at the bottom is an error of 0.</p>
 <p>Hollow marks are wrong results: rings that are not simple, exactly, in the doubles returned;
-that are clockwise; or that are incomplete: the error is more than ten times the resolution (the
-cell of the grid, the tolerance, or the unit in the last place of the largest coordinate), as where
-a pocket is lost, or the exact ring that a system reports has another number of corners than the
-exact one. Crosses in the strip at the right are settings without a result, at the height of their
-resolution: refused, crashed, out of time, or not tried since the system had used up its time at
-other settings. <i>Contains</i>: the returned region contains the exact sum, decided exactly.</p>
+that are clockwise; or that are incomplete, as where a pocket is lost: the error is more than ten
+times the resolution (the cell of the grid, the tolerance, or the unit in the last place of the
+largest coordinate) and more than 10<sup>-9</sup> of the diameter, or the exact ring has another
+number of corners by the system's own account. Crosses in the strip at the right are settings
+without a result, at the height of their resolution: refused, crashed, or out of time. A system that
+has used up the time for one run is not tried at its other settings, and these are not drawn.
+<i>Contains</i>: the returned region contains the exact sum, decided exactly.</p>
 <p>libgcv is cold: both polygons are created, summed, copied out, destroyed; <i>prepared</i>: their
 handles exist. Outward rounding closes slits thinner than a few units in the last place, and is then
 incomplete by design. <i>Plain doubles</i> is libgcv with predicates in doubles alone, which may

@@ -14,12 +14,11 @@ struct Verdict {
   Bounds error;  // the Hausdorff distance from the exact ring, in input units
   bool is_simple = false;
   bool is_counter_clockwise = false;
-  // A pocket is lost, or a spur: the error is more than ten times the resolution, or the
-  // system's own exact ring has another number of corners.
+  // No pocket and no spur is lost: the error is at most ten times the resolution, and the
+  // exact ring of a system that tells has as many corners.
   bool is_complete = false;
   bool contains_exact = false;  // the region, if simple
 
-  // Simple, the right way round, and nothing lost.
   [[nodiscard]] bool is_right() const { return is_simple && is_counter_clockwise && is_complete; }
 };
 
@@ -33,9 +32,9 @@ class Judge {
 
   [[nodiscard]] std::size_t exact_vertices() const;
 
-  // The resolution, in input units: of a grid its cell, of a tolerance the tolerance, and
-  // at least the unit in the last place of the largest coordinate, which is taken for 0.
-  // `corners`: how many the system says that its exact ring has; 0 where it does not say.
+  // The resolution, in input units; where the unit in the last place of the largest
+  // coordinate is more, that is taken. `corners`: how many the exact ring has by the system's
+  // own account, or 0.
   [[nodiscard]] Verdict judge(const Ring& ring, double resolution, std::size_t corners) const;
 
  private:

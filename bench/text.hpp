@@ -23,13 +23,14 @@ inline bool contains(const std::vector<std::string>& names, const std::string& n
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Control characters become spaces.
 inline std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') {
       result += '\\';
     }
-    result += c;
+    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
   }
   return result + '"';
 }
