@@ -40,7 +40,7 @@ STYLES = {  # colour and marker
     "Clipper": ("#2e7d32", "o"),
     "Boost.Polygon": ("#7f6a55", "h"),
 }
-MAIN = ["fork", "~monkey", "rotated slot", "coasts 10000 x 10000"]
+MAIN = ("fork", "~monkey", "rotated slot", "coasts 10000 x 10000", "coasts 1000 x 1000")
 
 LEAST_ERROR = 1e-19  # of those that are drawn as they are
 ZERO = 1e-20  # where errors of 0 are drawn
@@ -159,7 +159,9 @@ def draw(axes: Axes, row: Row) -> None:
                    if failed(r) and r["failure"] != "not tried"]  # fmt: skip
         axes.plot([high * step ** (k + 1)] * len(without), without, "x", color=colour,
                   markersize=5, zorder=3)  # fmt: skip
-    axes.set(xscale="log", yscale="log", xlim=(low, end), ylim=(ZERO / 4, 2))
+    decades = range(math.ceil(math.log10(low)), math.floor(math.log10(high)) + 1)
+    axes.set(xscale="log", yscale="log", xlim=(low, end), ylim=(ZERO / 4, 2),
+             xticks=[10.0**k for k in decades])  # fmt: skip
     axes.axvspan(high, end, color="#f4e3e1", zorder=0)
     axes.axhspan(ZERO / 4, ZERO * 4, color="#e8f3e8", zorder=0)
     axes.set_yticks([ZERO, *(10.0**k for k in range(-18, 1, 3))],
@@ -339,8 +341,8 @@ def measure(arguments: list[str]) -> list[Row]:
             row: Row = json.loads(line)
             lines.append(row)
             print(f"{row['pair']}: {sentence(row)}" if "pair" in row else "slots", file=sys.stderr)
-    if process.returncode != 0:
-        sys.exit("bench/accuracy: gcv_accuracy failed")
+    if process.returncode != 0 or not any("pair" in line for line in lines):
+        sys.exit("bench/accuracy: nothing was measured")
     return lines
 
 
@@ -350,7 +352,7 @@ def write(results: dict[str, Any]) -> None:
     mpl.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "gcv"})
     for row in rows:
         save(picture([row], 1), REPORT / file_name(row))
-    chosen = [row for row in rows if row["pair"] in MAIN] or rows[:4]
+    chosen = [row for name in MAIN for row in rows if row["pair"] == name] or rows[:4]
     for suffix in (".svg", ".png"):
         save(picture(chosen, 2), REPORT / f"accuracy{suffix}")
     text = page(results["machine"], rows, results["slots"])

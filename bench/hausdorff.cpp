@@ -17,7 +17,6 @@
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 namespace gcv::bench {
@@ -28,7 +27,8 @@ namespace bg = boost::geometry;
 using TreePoint = bg::model::point<double, 2, bg::cs::cartesian>;
 using TreeBox = bg::model::box<TreePoint>;
 
-constexpr double ratio = 1.05;  // of the bounds
+constexpr double ratio = 1.05;        // of the bounds
+constexpr double rounding = 0x1p-50;  // of some operations on doubles
 constexpr std::size_t samples = 256;
 constexpr std::size_t edges_ahead = 4;
 
@@ -134,7 +134,7 @@ class Search {
   }
 
   [[nodiscard]] double lower() const { return lower_; }
-  [[nodiscard]] double upper() const { return ratio * lower_ + 2 * slack_; }
+  [[nodiscard]] double upper() const { return (ratio * lower_ + 2 * slack_) * (1 + rounding); }
 
  private:
   struct Place {
@@ -145,8 +145,7 @@ class Search {
   Place place(const WidePoint& p, const Curve& q) {
     const Nearest nearest = q.nearest(p);
     const double distance = std::sqrt(static_cast<double>(nearest.squared_distance));
-    constexpr double down = 1 - 4 * std::numeric_limits<double>::epsilon();
-    lower_ = std::max(lower_, distance * down - slack_);
+    lower_ = std::max(lower_, distance * (1 - rounding) - slack_);
     return {p, nearest.edge};
   }
 
