@@ -108,20 +108,21 @@ std::vector<Method> methods(const Ring& a, const Ring& b, double diameter, bool 
 
 // All measurements of one method on one pair.
 struct Series {
-  Measurement first;
+  Measurement result;  // of the first round, or a failure
   std::vector<double> seconds;
 
   void add(Measurement measurement) {
-    if (measurement.failure.empty()) {
+    const bool has_failed = !measurement.failure.empty();
+    if (!has_failed) {
       seconds.push_back(measurement.seconds);
     }
-    if (seconds.size() < 2) {
-      first = std::move(measurement);
+    if (has_failed || seconds.size() == 1) {
+      result = std::move(measurement);
     }
   }
 
   [[nodiscard]] bool is_over() const {
-    return !first.failure.empty() || (!seconds.empty() && seconds.back() > once_is_enough);
+    return !result.failure.empty() || (!seconds.empty() && seconds.back() > once_is_enough);
   }
 };
 
@@ -148,7 +149,7 @@ std::vector<Series> run(const std::vector<Method>& methods, const Ring& a, const
         continue;
       }
       if (round == 0 && spent[system.name] > options.limit) {
-        results[k].first.failure = "not tried";
+        results[k].result.failure = "not tried";
         continue;
       }
       const auto start = std::chrono::steady_clock::now();
@@ -185,7 +186,7 @@ std::string json(const Method& method, Series& series, const Judge& judge, doubl
                            ", \"setting\": " + quoted(method.setting) +
                            formatted(", \"resolution\": %.6g, ", method.resolution / diameter);
   try {
-    const Verdict verdict = judged(method, series.first, judge, diameter);
+    const Verdict verdict = judged(method, series.result, judge, diameter);
     std::sort(series.seconds.begin(), series.seconds.end());
     return head +
            formatted(
@@ -193,7 +194,7 @@ std::string json(const Method& method, Series& series, const Judge& judge, doubl
                "\"simple\": %s, \"counter_clockwise\": %s, \"complete\": %s, "
                "\"contains\": %s}",
                1000 * series.seconds[series.seconds.size() / 2], series.seconds.size(),
-               series.first.vertices, verdict.error.lower / diameter,
+               series.result.vertices, verdict.error.lower / diameter,
                verdict.error.upper / diameter, json(verdict.is_simple),
                json(verdict.is_counter_clockwise), json(verdict.is_complete),
                json(verdict.contains_exact));

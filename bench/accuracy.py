@@ -43,6 +43,7 @@ STYLES = {  # colour and marker
 MAIN = ("fork", "~monkey", "rotated slot", "coasts 10000 x 10000", "coasts 1000 x 1000")
 
 LEAST_ERROR = 1e-19  # of those that are drawn as they are
+FINE = 1e-9  # an error that few would mind
 ZERO = 1e-20  # where errors of 0 are drawn
 
 
@@ -121,12 +122,17 @@ def sentence(row: Row) -> str:
             for r, own in ahead
         ]
     elif compared:
-        r, own = compared[0]
-        parts.append(
-            f"No other system is both faster and as accurate. The closest is {called(r)}: "
-            f"{measured(r)}, {number(r['ms'] / own['ms'])} times as long as {called(own)} with "
-            f"{measured(own)}."
-        )
+        parts.append("No other system is both faster and as accurate.")
+        fine = [pair for pair in compared if error(pair[0]) < FINE]
+        closest = {"The closest is": compared[:1]}
+        if fine[:1] != compared[:1]:
+            closest[f"With an error below {FINE:g} it is"] = fine[:1]
+        parts += [
+            f"{start} {called(r)}: {measured(r)}, {number(r['ms'] / own['ms'])} times as long as "
+            f"{called(own)} with {measured(own)}."
+            for start, pairs in closest.items()
+            for r, own in pairs
+        ]
     else:
         parts.append("No other system has a right result that libgcv's can be compared to.")
     parts += [f"{called(r)} is more accurate: {measured(r)}." for r, own in others if own is None]
@@ -294,7 +300,8 @@ handles exist. Outward rounding closes slits thinner than a few units in the las
 incomplete by design. <i>Plain doubles</i> is libgcv with predicates in doubles alone, which may
 fail. Clipper's grids have 2 to 12 decimal digits behind the power of ten that is next above the
 diameter; on those of Boost.Polygon all of the sum is within 16 to 31 bits. CGAL and SFCGAL are
-exact, and their own functions convert the result to doubles.</p>"""
+exact, and their own functions convert the result to doubles.</p>
+<p>The pairs fork, stars, ~monkey and gardeyn5 are left out where their data is missing.</p>"""
 
 
 def page(machine: dict[str, str], rows: list[Row], slots: Optional[Row]) -> str:
@@ -349,6 +356,8 @@ def measure(arguments: list[str]) -> list[Row]:
 def write(results: dict[str, Any]) -> None:
     """Write the whole report from the results."""
     rows: list[Row] = results["pairs"]
+    for old in REPORT.glob("*.svg"):
+        old.unlink()
     mpl.rcParams.update({"svg.fonttype": "none", "svg.hashsalt": "gcv"})
     for row in rows:
         save(picture([row], 1), REPORT / file_name(row))
