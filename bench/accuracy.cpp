@@ -179,6 +179,13 @@ Verdict judged(const Method& method, const Measurement& measurement, const Judge
   return judge.judge(measurement.ring, resolution, corners);
 }
 
+// Is the error within the bound that libgcv gives? With a tolerance that is one between
+// regions, not between rings.
+bool is_within_bound(const Method& method, const Measurement& measurement, const Verdict& verdict) {
+  return !method.system.name.starts_with("libgcv") || method.resolution > 0 ||
+         verdict.error.lower <= measurement.observation.error_bound;
+}
+
 const char* json(bool value) { return value ? "true" : "false"; }
 
 std::string json(const Method& method, Series& series, const Judge& judge, double diameter) {
@@ -192,12 +199,12 @@ std::string json(const Method& method, Series& series, const Judge& judge, doubl
            formatted(
                "\"ms\": %.6g, \"rounds\": %zu, \"vertices\": %zu, \"error\": [%.17g, %.17g], "
                "\"simple\": %s, \"counter_clockwise\": %s, \"complete\": %s, "
-               "\"contains\": %s}",
+               "\"contains\": %s, \"within_bound\": %s}",
                1000 * series.seconds[series.seconds.size() / 2], series.seconds.size(),
                series.result.vertices, verdict.error.lower / diameter,
                verdict.error.upper / diameter, json(verdict.is_simple),
                json(verdict.is_counter_clockwise), json(verdict.is_complete),
-               json(verdict.contains_exact));
+               json(verdict.contains_exact), json(is_within_bound(method, series.result, verdict)));
   } catch (const std::exception& exception) {
     return head + "\"failure\": " + quoted(exception.what()) + "}";
   }
@@ -229,13 +236,15 @@ struct Count {
   int incomplete = 0;
   int wrong = 0;  // any of these, or clockwise
   int containing = 0;
+  int beyond_bound = 0;      // of libgcv's own
   double largest_error = 0;  // a bound, in diameters
 
-  void add(const Verdict& verdict, double diameter) {
+  void add(const Verdict& verdict, bool is_within_bound, double diameter) {
     not_simple += verdict.is_simple ? 0 : 1;
     incomplete += verdict.is_complete ? 0 : 1;
     wrong += verdict.is_right() ? 0 : 1;
     containing += verdict.contains_exact ? 1 : 0;
+    beyond_bound += is_within_bound ? 0 : 1;
     largest_error = std::max(largest_error, verdict.error.upper / diameter);
   }
 };
@@ -256,7 +265,8 @@ void report_slots(const Options& options) {
       Count& count = counts[k].second;
       const Measurement measurement = measure(tried[k].system, a, b, {options.limit, false, true});
       try {
-        count.add(judged(tried[k], measurement, judge, size), size);
+        const Verdict verdict = judged(tried[k], measurement, judge, size);
+        count.add(verdict, is_within_bound(tried[k], measurement, verdict), size);
       } catch (const std::exception&) {
         ++count.no_result;
         ++count.wrong;
@@ -268,10 +278,11 @@ void report_slots(const Options& options) {
     const auto& [method, count] = counts[k];
     std::printf(
         "%s{\"system\": %s, \"setting\": %s, \"no_result\": %d, \"not_simple\": %d, "
-        "\"incomplete\": %d, \"wrong\": %d, \"containing\": %d, \"largest_error\": %.6g}",
+        "\"incomplete\": %d, \"wrong\": %d, \"containing\": %d, \"beyond_bound\": %d, "
+        "\"largest_error\": %.6g}",
         k == 0 ? "" : ", ", quoted(method.system.name).c_str(), quoted(method.setting).c_str(),
         count.no_result, count.not_simple, count.incomplete, count.wrong, count.containing,
-        count.largest_error);
+        count.beyond_bound, count.largest_error);
   }
   std::printf("]}\n");
 }

@@ -265,6 +265,22 @@ def overview(rows: list[Row]) -> str:
     return table(head, lines)
 
 
+def bounds(rows: list[Row], slots: Optional[Row]) -> str:
+    """Say whether libgcv's own bounds hold."""
+    own = (NEAREST, OUTWARD, PREPARED)
+    checked = [r for row in rows for system in own for r in of_system(row, system)
+               if not failed(r) and r["resolution"] == 0]  # fmt: skip
+    count, beyond = len(checked), sum(not r["within_bound"] for r in checked)
+    if slots is not None:
+        of_slots = [r for r in slots["results"] if r["system"] in own and r["setting"] == "exact"]
+        count += sum(slots["slots"] - r["no_result"] for r in of_slots)
+        beyond += sum(r["beyond_bound"] for r in of_slots)
+    return (
+        f"<p>libgcv certifies a bound on the error of each result. Of {count} results without a "
+        f"tolerance, {beyond} have a larger error.</p>"
+    )
+
+
 def slots_table(slots: Row) -> str:
     def share(count: int) -> str:
         return f"{100 * count / slots['slots']:.1f} %"
@@ -297,10 +313,11 @@ has used up the time for one run is not tried at its other settings, and these a
 <i>Contains</i>: the returned region contains the exact sum, decided exactly.</p>
 <p>libgcv is cold: both polygons are created, summed, copied out, destroyed; <i>prepared</i>: their
 handles exist. Outward rounding closes slits thinner than a few units in the last place, and is then
-incomplete by design. <i>Plain doubles</i> is libgcv with predicates in doubles alone, which may
-fail. Clipper's grids have 2 to 12 decimal digits behind the power of ten that is next above the
-diameter; on those of Boost.Polygon all of the sum is within 16 to 31 bits. CGAL and SFCGAL are
-exact, and their own functions convert the result to doubles.</p>
+incomplete by design. A tolerance bounds the distance between the sums as sets; the rings can be
+further apart where it opens or closes the entrance of a pocket. <i>Plain doubles</i> is libgcv with
+predicates in doubles alone, which may fail. Clipper's grids have 2 to 12 decimal digits behind the
+power of ten that is next above the diameter; on those of Boost.Polygon all of the sum is within 16
+to 31 bits. CGAL and SFCGAL are exact, and their own functions convert the result to doubles.</p>
 <p>The pairs fork, stars, ~monkey and gardeyn5 are left out where their data is missing.</p>"""
 
 
@@ -315,6 +332,7 @@ def page(machine: dict[str, str], rows: list[Row], slots: Optional[Row]) -> str:
         *(f"<li><b>{html.escape(row['pair'])}</b>: {html.escape(sentence(row))}" for row in rows),
         "</ul><h2>All pairs</h2>",
         overview(rows),
+        bounds(rows, slots),
     ]
     if slots is not None:
         parts += [

@@ -52,7 +52,7 @@ Job cgal_job(const Ring& a, const Ring& b, Sum sum) {
             return to_doubles(*boundary);
           },
           [boundary] {
-            return Observation{count_corners(*boundary), 0, 0};
+            return Observation{count_corners(*boundary), 0, 0, 0};
           }};
 }
 

@@ -93,7 +93,7 @@ Job arrangement_job(const Ring& a, const Ring& b, Enumerate enumerate) {
               time = std::chrono::duration<double>(Clock::now() - start).count();
             }
             std::sort(seconds.begin(), seconds.end());
-            return Observation{count_corners(*boundary), edges, seconds[seconds.size() / 2]};
+            return Observation{count_corners(*boundary), edges, seconds[seconds.size() / 2], 0};
           }};
 }
 

@@ -19,6 +19,7 @@ struct Library {
   decltype(&gcv_polygon_destroy) polygon_destroy;
   decltype(&gcv_minkowski_sum) minkowski_sum;
   decltype(&gcv_outer_face_exact_vertex_count) exact_vertex_count;
+  decltype(&gcv_outer_face_error_bound) error_bound;
   decltype(&gcv_outer_face_vertex_count) vertex_count;
   decltype(&gcv_outer_face_vertices) vertices;
   decltype(&gcv_outer_face_destroy) outer_face_destroy;
@@ -49,6 +50,7 @@ Library load(const char* file) {
   find(handle, "gcv_polygon_destroy", library.polygon_destroy);
   find(handle, "gcv_minkowski_sum", library.minkowski_sum);
   find(handle, "gcv_outer_face_exact_vertex_count", library.exact_vertex_count);
+  find(handle, "gcv_outer_face_error_bound", library.error_bound);
   find(handle, "gcv_outer_face_vertex_count", library.vertex_count);
   find(handle, "gcv_outer_face_vertices", library.vertices);
   find(handle, "gcv_outer_face_destroy", library.outer_face_destroy);
@@ -77,6 +79,7 @@ Ring sum(const Library& library, const gcv_polygon* a, const gcv_polygon* b,
   const std::unique_ptr<gcv_outer_face, decltype(&gcv_outer_face_destroy)> face(
       sum, library.outer_face_destroy);
   library.check(library.exact_vertex_count(sum, &observation.exact_vertices));
+  library.check(library.error_bound(sum, &observation.error_bound));
   std::size_t count = 0;
   library.check(library.vertex_count(sum, &count));
   Ring ring(count);

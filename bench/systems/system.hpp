@@ -19,6 +19,7 @@ struct Observation {
   std::size_t exact_vertices = 0;  // of the exact ring, without collinear ones
   std::size_t superset_edges = 0;
   double superset_seconds = 0;  // what it takes to find them
+  double error_bound = 0;       // of the result by the system's own account, in input units
 };
 
 // run is what is timed: all that a caller has to pay for one sum, to the vertices in his
