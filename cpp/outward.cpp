@@ -106,8 +106,7 @@ RoundedRing round_outward(const ExactRing& ring, Task& task, Tally& tally) {
     if (grown.placement && sum_bound(nearest.error_bound, grown.placement->error_bound) < d) {
       const double error = std::max(1.5 * d, lost_distance(grown, unit)) + nearest.error_bound +
                            grown.placement->error_bound;
-      return {ring_through(grown.placement->places),
-              std::nextafter(error * (1 + 0x1p-50), HUGE_VAL),
+      return {ring_through(grown.placement->places), next_up(error * (1 + 0x1p-50)),
               nearest.vertices_repaired + grown.placement->repaired};
     }
     d *= 2;

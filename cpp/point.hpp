@@ -5,7 +5,9 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace gcv {
@@ -42,6 +44,13 @@ struct SumEdge {
   double dy;
 };
 
+// The next larger double, for x from 0 on.
+inline double next_up(double x) {
+  return x < std::numeric_limits<double>::infinity()
+             ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1)
+             : x;
+}
+
 // At least sqrt(x^2 + y^2). Five roundings, each below u, are made good. Where the smaller
 // number is lost beside the larger, so is its share of the result.
 inline double length_bound(double x, double y) {
@@ -52,7 +61,7 @@ inline double length_bound(double x, double y) {
   }
   const double ratio = shorter / longer;
   const double length = longer * std::sqrt(1 + ratio * ratio);
-  return std::nextafter(length * (1 + 4 * std::numeric_limits<double>::epsilon()), HUGE_VAL);
+  return next_up(length * (1 + 4 * std::numeric_limits<double>::epsilon()));
 }
 
 }  // namespace gcv

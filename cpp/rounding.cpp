@@ -85,7 +85,7 @@ std::uint64_t count_missing(const std::vector<Point>& points, std::vector<Point>
 
 double unit_in_last_place(double x) {
   const double size = std::abs(x);
-  const double next = std::nextafter(size, HUGE_VAL);
+  const double next = next_up(size);
   return std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
 }
 
@@ -97,9 +97,7 @@ Point units_in_last_place(const std::vector<Point>& points) {
   return {unit_in_last_place(largest.x), unit_in_last_place(largest.y)};
 }
 
-double sum_bound(double x, double y) {
-  return x == 0 || y == 0 ? x + y : std::nextafter(x + y, HUGE_VAL);
-}
+double sum_bound(double x, double y) { return x == 0 || y == 0 ? x + y : next_up(x + y); }
 
 std::vector<Point> ring_through(const std::vector<Point>& places) {
   std::vector<Point> ring = snap(places).vertices;

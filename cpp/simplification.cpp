@@ -60,7 +60,7 @@ class ScaledRing {
   // At least the length in the polygon's units.
   [[nodiscard]] double unscaled_bound(double length) const {
     const double unscaled = std::ldexp(length, exponent_);
-    return scaled(unscaled) < length ? std::nextafter(unscaled, HUGE_VAL) : unscaled;
+    return scaled(unscaled) < length ? next_up(unscaled) : unscaled;
   }
 
  private:
@@ -122,15 +122,15 @@ class Simplification {
         allowed_at_first_(ring_.scaled(tolerance)),
         allowed_(polygon.size(), allowed_at_first_) {}
 
-  // Nothing where no vertex can be left out.
-  std::optional<Simplified> run() {
+  // Nothing where more than so many vertices would be left.
+  std::optional<Simplified> run(std::size_t most_vertices) {
     const std::vector<Index> corners = three_corners();
     for (int round = 0; round < most_rounds; ++round) {
       Boundary boundary = shortened(corners);
       if (rounding_ == Rounding::outward) {
         boundary = with_caps(without_dents(boundary));
       }
-      if (boundary.size() == polygon_.size()) {
+      if (boundary.size() > most_vertices) {
         return std::nullopt;
       }
       const std::vector<Index> wrong = wrong_edges(boundary);
@@ -463,10 +463,10 @@ class Simplification {
 }  // namespace
 
 Simplified simplify(const std::shared_ptr<const Polygon>& polygon, double tolerance,
-                    Rounding rounding) {
-  if (tolerance > 0 && polygon->size() > 3) {
+                    Rounding rounding, std::size_t most_vertices) {
+  if (tolerance > 0 && most_vertices < polygon->size()) {
     if (std::optional<Simplified> simplified =
-            Simplification(*polygon, tolerance, rounding).run()) {
+            Simplification(*polygon, tolerance, rounding).run(most_vertices)) {
       return *std::move(simplified);
     }
   }

@@ -3,6 +3,7 @@
 // A polygon with fewer vertices, near the given one, for scenes that need no more.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -24,9 +25,9 @@ struct Simplified {
 // new vertices where edges are lengthened until they meet. Numbers are those of the caller's
 // vertices and edges; what stands for several has the number of the first.
 //
-// The given polygon itself where nothing can be left out. O(n log n), but for shapes most
-// of whose boundary is within the tolerance of other parts of it.
+// The given polygon itself where more than so many vertices would be left. O(n log n), but for
+// shapes most of whose boundary is within the tolerance of other parts of it.
 Simplified simplify(const std::shared_ptr<const Polygon>& polygon, double tolerance,
-                    Rounding rounding);
+                    Rounding rounding, std::size_t most_vertices);
 
 }  // namespace gcv

@@ -13,8 +13,8 @@
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
  * number. Every decision of the computation is exact for every such input; there
- * is no epsilon in it, and no tolerance but one that the caller asks for. Only the coordinates that are handed back
- * as doubles are rounded, each once, and each function says how.
+ * is no epsilon in it, and no tolerance but one that the caller asks for. Only the coordinates that
+ * are handed back as doubles are rounded, each once, and each function says how.
  *
  * Reproducibility. The same input gives the same bits on every run, thread,
  * compiler and optimisation level. The rounding mode, flush-to-zero and exception
@@ -248,8 +248,9 @@ typedef struct gcv_options {
   int32_t rounding;
   /** How far, in input units, the sum may be from the exact one beside the rounding;
    *  finite, from 0 on. Above 0, each polygon is first simplified by at most half of
-   *  it, see gcv_polygon_simplified, and the exact ring is that of the simplified
-   *  polygons. With GCV_ROUND_OUTWARD the result still contains the exact sum. */
+   *  it, see gcv_polygon_simplified, where that saves a quarter of its vertices, and the
+   *  exact ring is that of the simplified polygons. With GCV_ROUND_OUTWARD the result
+   *  still contains the exact sum. */
   double tolerance;
   /** How many threads work on the sum, the calling one among them: 1 by default,
    *  0 for as many as the machine runs at once; above 256 as 256. The result is the
