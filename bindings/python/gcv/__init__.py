@@ -18,6 +18,7 @@ from ._shapes import (
     OuterFace,
     Polygon,
     PolygonLike,
+    Simplified,
     Stats,
 )
 from ._sums import (
@@ -42,6 +43,7 @@ __all__ = [
     "PolygonLike",
     "Progress",
     "Rounding",
+    "Simplified",
     "Stats",
     "SupersetEdge",
     "entrance_block",

@@ -51,7 +51,14 @@ def _parser() -> argparse.ArgumentParser:
         "while A and B touch",
     )
     parser.add_argument("--rounding", choices=["nearest", "outward"], default="nearest")
-    parser.add_argument("--tolerance", type=float, default=0.0, metavar="DISTANCE")
+    parser.add_argument(
+        "--tolerance",
+        type=float,
+        default=0.0,
+        metavar="DISTANCE",
+        help="how far the result may be from the exact one; default 0. A and B are simplified "
+        "within half of it, each",
+    )
     parser.add_argument("--threads", type=int, default=1, metavar="N", help="0: all; default 1")
     parser.add_argument("--svg", type=Path, metavar="FILE", help="also draws the polygons")
     parser.add_argument("--version", action="version", version=gcv.library_version())

@@ -63,14 +63,19 @@ def run(
     return result
 
 
+def value_of(rounding: Rounding) -> int:
+    """The rounding as the library takes it."""
+    if rounding not in _ffi.ROUNDINGS:
+        raise ValueError(f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}")
+    return _ffi.ROUNDINGS[rounding]
+
+
 def _options(rounding: Rounding, tolerance: float, threads: int, report: Any = None) -> Any:
     """The options as the library takes them; None for the defaults."""
     if report is None and (rounding, tolerance, threads) == ("nearest", 0, 1):
         return None
-    if rounding not in _ffi.ROUNDINGS:
-        raise ValueError(f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}")
     options = _ffi.sized(
-        _ffi.Options, rounding=_ffi.ROUNDINGS[rounding], tolerance=tolerance, threads=threads
+        _ffi.Options, rounding=value_of(rounding), tolerance=tolerance, threads=threads
     )
     if report is not None:
         options.progress = report

@@ -199,6 +199,9 @@ polygon_vertex_count = _function("gcv_polygon_vertex_count", Polygon, _size)
 polygon_vertices = _function("gcv_polygon_vertices", Polygon, *_buffer)
 polygon_area = _function("gcv_polygon_area", Polygon, _double)
 polygon_bounds = _function("gcv_polygon_bounds", Polygon, _double)
+polygon_simplified = _function(
+    "gcv_polygon_simplified", Polygon, c_double, c_int32, _polygon, _double
+)
 
 options_init = _declare("gcv_options_init", None, _options)
 

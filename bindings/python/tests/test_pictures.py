@@ -91,6 +91,8 @@ def test_program_options(tmp_path: Path) -> None:
     face = gcv.no_fit_polygon(NOTCHED, TRIANGLE, (0.5, -2), rounding="outward")
     assert (run.stdout, run.returncode) == (face.wkt + "\n", 0)
     assert program(tmp_path, "a.wkt", "b.wkt", "--threads", "2").returncode == 0
+    near = gcv.minkowski_sum(NOTCHED, TRIANGLE, tolerance=20)
+    assert program(tmp_path, "a.wkt", "b.wkt", "--tolerance", "20").stdout == near.wkt + "\n"
 
 
 @pytest.mark.parametrize(
@@ -98,7 +100,7 @@ def test_program_options(tmp_path: Path) -> None:
     [
         (["a.wkt"], 2, "usage"),
         (["a.wkt", "b.wkt", "--rounding", "up"], 2, "up"),
-        (["a.wkt", "b.wkt", "--tolerance", "0.5"], 1, "tolerance"),
+        (["a.wkt", "b.wkt", "--tolerance", "-1"], 1, "tolerance"),
         (["a.wkt", "bow tie.wkt"], 1, "gcv: bow tie.wkt: polygon: edges 0 and 2"),
         (["a.wkt", "none.wkt"], 1, "none.wkt"),
         (["a.wkt", "b.wkt", "--svg", "no/where.svg"], 1, "where.svg"),

@@ -16,7 +16,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from shapes import BOW_TIE, NOTCHED, SQUARE, U_SHAPE, points, scaled
+from shapes import BOW_TIE, BUMPY, NOTCHED, SQUARE, U_SHAPE, points, scaled, star
 
 import gcv
 
@@ -152,6 +152,46 @@ def test_negative() -> None:
     reflected = -notched
     assert reflected != notched
     assert -reflected == notched
+
+
+def test_simplified() -> None:
+    polygon = gcv.Polygon(BUMPY)
+    near, bound = polygon.simplified(0.2)
+    assert points(near) == [(0, 0), (4, 0), (4, 4), (0, 4)]
+    assert 0.125 <= bound < 0.125 + 1e-12
+    assert polygon.simplified(0.01) == (polygon, 0)
+    assert polygon.simplified(0) == (polygon, 0)
+
+
+@pytest.mark.parametrize("tolerance", [1e-3, 0.05, np.float32(0.3), 1, 1e308])
+def test_simplified_is_within_the_tolerance(tolerance: float) -> None:
+    polygon = star(200, 1)
+    near, bound = polygon.simplified(tolerance)
+    around, bound_around = polygon.simplified(tolerance, rounding="outward")
+    assert set(points(near)) <= set(points(polygon))
+    before, after, outside = (shapely.geometry.shape(p) for p in (polygon, near, around))
+    assert after.exterior.hausdorff_distance(before.exterior) <= bound + 1e-12
+    assert outside.exterior.hausdorff_distance(before.exterior) <= bound_around + 1e-12
+    assert max(bound, bound_around) <= tolerance
+    assert outside.buffer(1e-12).contains(before)
+
+
+def test_simplified_is_a_polygon_like_others() -> None:
+    near = star(200, 1).simplified(0.3).polygon
+    assert len(near) < 100
+    again = pickle.loads(pickle.dumps(near))
+    assert again == near == gcv.Polygon(near.vertices)
+    assert (again + near).sources == (near + near).sources
+    assert near + -near == gcv.no_fit_polygon(near, near, (0, 0))
+
+
+@pytest.mark.parametrize("tolerance", [-1, math.nan, math.inf])
+def test_simplified_refused(tolerance: float) -> None:
+    polygon = gcv.Polygon(BUMPY)
+    with pytest.raises(gcv.InputError, match="tolerance"):
+        polygon.simplified(tolerance)
+    with pytest.raises(ValueError, match="rounding is 'up'"):
+        polygon.simplified(1, rounding="up")  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(

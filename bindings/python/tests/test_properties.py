@@ -133,6 +133,26 @@ def test_nearest_is_within_the_bound(a: gcv.Polygon, b: gcv.Polygon) -> None:
         assert min((x - u) ** 2 + (y - v) ** 2 for u, v in exact) <= bound**2
 
 
+@given(polygons(), st.floats(0, 300))
+def test_simplified(polygon: gcv.Polygon, tolerance: float) -> None:
+    near, bound = polygon.simplified(tolerance)
+    around, bound_around = polygon.simplified(tolerance, rounding="outward")
+    assert 0 <= bound <= tolerance
+    assert 0 <= bound_around <= tolerance
+    assert set(exact_points(near)) <= set(exact_points(polygon))
+    ring = exact_points(around)
+    for vertex in exact_points(polygon):
+        assert contains(ring, vertex)
+
+
+@given(polygons(), polygons(), st.floats(0, 300))
+def test_outward_within_a_tolerance(a: gcv.Polygon, b: gcv.Polygon, tolerance: float) -> None:
+    face = gcv.minkowski_sum(a, b, rounding="outward", tolerance=tolerance)
+    ring = exact_points(face)
+    for vertex in (a + b).exact:
+        assert contains(ring, vertex)
+
+
 @given(st.lists(st.tuples(polygons(), polygons()), max_size=6), st.integers(0, 3))
 def test_many_are_what_each_is(pairs: list[tuple[gcv.Polygon, gcv.Polygon]], threads: int) -> None:
     faces = gcv.minkowski_sum_many([a for a, _ in pairs], [b for _, b in pairs], threads=threads)

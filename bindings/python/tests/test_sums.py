@@ -16,6 +16,7 @@ import pytest
 import shapely
 from shapes import (
     BOW_TIE,
+    BUMPY,
     NOTCHED,
     SQUARE,
     SQUARE_2,
@@ -157,8 +158,25 @@ def test_outward_contains() -> None:
     assert (x, y) != (Fraction(10, 3), Fraction(7, 3))
 
 
+def test_tolerance() -> None:
+    def some_within(tolerance: float) -> list[gcv.OuterFace]:
+        return [
+            gcv.minkowski_sum(BUMPY, SQUARE, tolerance=tolerance),
+            gcv.no_fit_polygon(BUMPY, SQUARE, (1, 1), tolerance=tolerance),
+            gcv.entrance_block(SQUARE, BUMPY, (1, 1), tolerance=tolerance),
+            *gcv.minkowski_sum_many([BUMPY], [SQUARE], tolerance=tolerance),
+        ]
+
+    assert some_within(0.02) == some_within(0)
+    for face in some_within(0.4):
+        assert points(face) == [(0, 0), (5, 0), (5, 5), (0, 5)]
+        assert 0.125 <= face.error_bound <= 0.125 + 1e-12
+    face = gcv.minkowski_sum(BUMPY, SQUARE, tolerance=0.4)
+    assert [source.a for source in face.sources] == [0, 4, 5, 9]
+
+
 @pytest.mark.parametrize(
-    "option", [{"tolerance": 0.5}, {"tolerance": math.nan}, {"threads": -1}, {"rounding": "up"}]
+    "option", [{"tolerance": -1}, {"tolerance": math.nan}, {"threads": -1}, {"rounding": "up"}]
 )
 def test_wrong_options(option: dict[str, Any]) -> None:
     square = gcv.Polygon(SQUARE)
