@@ -122,6 +122,13 @@ extern "C" {
     ) -> gcv_status;
     pub fn gcv_polygon_area(polygon: *const gcv_polygon, out: *mut f64) -> gcv_status;
     pub fn gcv_polygon_bounds(polygon: *const gcv_polygon, out: *mut f64) -> gcv_status;
+    pub fn gcv_polygon_simplified(
+        polygon: *const gcv_polygon,
+        tolerance: f64,
+        rounding: i32,
+        out: *mut *mut gcv_polygon,
+        error_bound: *mut f64,
+    ) -> gcv_status;
 
     pub fn gcv_options_init(options: *mut gcv_options);
 

@@ -99,6 +99,7 @@ fn in_c(rust: &str) -> String {
         return in_c(target) + " *";
     }
     match rust {
+        "i32" => "int32_t",
         "u32" => "uint32_t",
         "usize" => "size_t",
         "f64" => "double",

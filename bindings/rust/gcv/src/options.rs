@@ -24,6 +24,16 @@ pub enum Rounding {
     Outward,
 }
 
+impl Rounding {
+    /// What it is in the C interface.
+    pub(crate) fn value(self) -> i32 {
+        match self {
+            Self::Nearest => sys::GCV_ROUND_NEAREST,
+            Self::Outward => sys::GCV_ROUND_OUTWARD,
+        }
+    }
+}
+
 /// What hears of the progress of a computation, and may end it.
 type Progress<'a> = Arc<Mutex<dyn FnMut(u64, u64) -> ControlFlow<()> + Send + 'a>>;
 
@@ -67,8 +77,11 @@ impl<'a> Options<'a> {
         self
     }
 
-    /// How far, in input units, the result may be from the exact one. Version 0.1 of the
-    /// library refuses all but 0, with `GCV_ERR_INVALID_ARGUMENT`.
+    /// How far, in input units, the result may be from the exact one beside the rounding;
+    /// finite, from 0 on. Above 0, each polygon is first simplified by at most half of it,
+    /// see [`Polygon::simplified`](crate::Polygon::simplified), and the exact ring is that
+    /// of the simplified polygons. With [`Rounding::Outward`] the result still contains the
+    /// exact sum.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -117,10 +130,7 @@ impl<'a> Options<'a> {
     pub(crate) fn pass<T>(&self, call: impl FnOnce(*const sys::gcv_options) -> T) -> T {
         let mut options = sys::gcv_options {
             struct_size: size_of::<sys::gcv_options>() as u32,
-            rounding: match self.rounding {
-                Rounding::Nearest => sys::GCV_ROUND_NEAREST,
-                Rounding::Outward => sys::GCV_ROUND_OUTWARD,
-            },
+            rounding: self.rounding.value(),
             tolerance: self.tolerance,
             threads: i32::try_from(self.threads).unwrap_or(i32::MAX),
             progress: None,

@@ -84,6 +84,11 @@ impl OuterFace {
 
     /// An upper bound on the Hausdorff distance from [`OuterFace::vertices`] to the exact
     /// ring, in input units: 0 where every exact coordinate is an `f64`.
+    ///
+    /// With a tolerance it also has what the polygons were simplified by, and is one
+    /// between sets: no point of the ring is further than it from the exact sum of the
+    /// polygons as given, and no point of that sum is further than it from the region
+    /// inside the ring.
     pub fn error_bound(&self) -> f64 {
         // SAFETY: the face is alive.
         let bound = value(|out| unsafe { sys::gcv_outer_face_error_bound(self.as_ptr(), out) });

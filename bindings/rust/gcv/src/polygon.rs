@@ -7,7 +7,7 @@ use std::ptr::NonNull;
 use gcv_sys as sys;
 
 use crate::call::{create, elements, value, INFALLIBLE};
-use crate::Error;
+use crate::{Error, Rounding};
 
 /// A simple polygon.
 pub struct Polygon(NonNull<sys::gcv_polygon>);
@@ -78,6 +78,40 @@ impl Polygon {
             sys::gcv_polygon_bounds(self.as_ptr(), out.cast())
         });
         bounds.expect(INFALLIBLE)
+    }
+
+    /// The polygon with fewer vertices, for scenes that need no more detail, and a bound on
+    /// the Hausdorff distance between the two boundaries, in input units: at most
+    /// `tolerance`, and often less.
+    ///
+    /// With [`Rounding::Nearest`] the vertices are some of the given ones. With
+    /// [`Rounding::Outward`] the new polygon contains the given one, and may have new
+    /// vertices, where edges were lengthened until they meet. Numbers of vertices and edges
+    /// stay those that the given polygon was created with; of several that one stands for,
+    /// the first.
+    ///
+    /// ```
+    /// use gcv::{Polygon, Rounding};
+    ///
+    /// # fn main() -> Result<(), gcv::Error> {
+    /// let dented = Polygon::new(&[[0., 0.], [8., 0.], [8., 8.], [4., 7.5], [0., 8.]])?;
+    /// let (square, bound) = dented.simplified(1.5, Rounding::Outward)?;
+    /// assert_eq!(square.vertices(), [[0., 0.], [8., 0.], [8., 8.], [0., 8.]]);
+    /// assert!(0.5 <= bound && bound < 0.5000001);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// `GCV_ERR_INVALID_ARGUMENT` for a tolerance that is negative or not finite;
+    /// `GCV_ERR_NO_MEMORY`.
+    pub fn simplified(&self, tolerance: f64, rounding: Rounding) -> Result<(Self, f64), Error> {
+        let (rounding, mut bound) = (rounding.value(), 0.);
+        // SAFETY: the polygon is alive.
+        let polygon = create(|out| unsafe {
+            sys::gcv_polygon_simplified(self.as_ptr(), tolerance, rounding, out, &mut bound)
+        })?;
+        Ok((Self(polygon), bound))
     }
 }
 

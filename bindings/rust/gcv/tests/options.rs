@@ -8,7 +8,7 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 
 use gcv::status::*;
 use gcv::{entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon};
-use gcv::{Options, Polygon, Rounding};
+use gcv::{EdgeSource, Options, Polygon, Rounding};
 
 /// A star of `4 * quarter` vertices near a circle, every other one pulled inwards.
 fn star(quarter: usize) -> Polygon {
@@ -42,18 +42,56 @@ fn outward_contains_nearest() {
     assert!(nearest.1 < outward.1 && outward.1 < nearest.1 + 1e-12);
 }
 
+/// A square with a bump of 1/8 on its lower side and a dent of 1/8 in its upper one.
+fn bumpy() -> Polygon {
+    let wkt = "POLYGON ((0 0, 1 0, 2 -0.125, 3 0, 4 0, 4 4, 3 4, 2 3.875, 1 4, 0 4))";
+    Polygon::from_wkt(wkt).unwrap()
+}
+
 #[test]
 fn tolerance_is_passed_on() {
-    let triangle = triangle();
-    let options = Options::new().tolerance(0.5);
+    let bumpy = bumpy();
+    let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]]).unwrap();
+    let options = Options::new().tolerance(0.4);
+    let mut many = minkowski_sum_many([(&bumpy, &square)], &options);
     for face in [
-        minkowski_sum(&triangle, &triangle, &options),
-        no_fit_polygon(&triangle, &triangle, [0., 0.], &options),
-        entrance_block(&triangle, &triangle, [0., 0.], &options),
+        minkowski_sum(&bumpy, &square, &options),
+        no_fit_polygon(&bumpy, &square, [1., 1.], &options),
+        entrance_block(&square, &bumpy, [1., 1.], &options),
+        many.next().unwrap(),
     ] {
-        let error = face.unwrap_err();
+        let face = face.unwrap();
+        assert_eq!(face.vertices(), [[0., 0.], [5., 0.], [5., 5.], [0., 5.]]);
+        assert!((0.125..0.1250001).contains(&face.error_bound()));
+    }
+    let error = minkowski_sum(&bumpy, &square, &Options::new().tolerance(-1.)).unwrap_err();
+    assert_eq!(error.status, GCV_ERR_INVALID_ARGUMENT);
+    assert!(error.message.contains("tolerance is -1"), "{error}");
+}
+
+#[test]
+fn simplified() {
+    let bumpy = bumpy();
+    let (square, bound) = bumpy.simplified(0.2, Rounding::Nearest).unwrap();
+    assert_eq!(square.vertices(), [[0., 0.], [4., 0.], [4., 4.], [0., 4.]]);
+    assert!((0.125..0.1250001).contains(&bound));
+    let sum = minkowski_sum(&square, &square, &Options::new()).unwrap();
+    let numbers = [0, 4, 5, 9].map(|k| EdgeSource::TranslatedCorner {
+        edge_a: k,
+        edge_b: k,
+    });
+    assert_eq!(sum.sources(), numbers);
+
+    let (around, bound) = bumpy.simplified(0.2, Rounding::Outward).unwrap();
+    assert!(around.area().unwrap() > bumpy.area().unwrap() && around.vertices().len() < 10);
+    assert!(0. < bound && bound <= 0.2);
+
+    let (same, bound) = bumpy.simplified(0., Rounding::Outward).unwrap();
+    assert_eq!((same.vertices(), bound), (bumpy.vertices(), 0.));
+    for tolerance in [-1., f64::NAN, f64::INFINITY] {
+        let error = bumpy.simplified(tolerance, Rounding::Nearest).unwrap_err();
         assert_eq!(error.status, GCV_ERR_INVALID_ARGUMENT);
-        assert!(error.message.contains("tolerance is 0.5"), "{error}");
+        assert!(error.message.starts_with("tolerance is"), "{error}");
     }
 }
 

@@ -88,6 +88,20 @@ proptest! {
     }
 
     #[test]
+    fn simplified_within(polygon in polygons(), tolerance in 0.0..20.0) {
+        let (near, bound) = polygon.simplified(tolerance, Rounding::Nearest).unwrap();
+        prop_assert!(0. <= bound && bound <= tolerance);
+        let vertices = polygon.vertices();
+        prop_assert!(near.vertices().iter().all(|vertex| vertices.contains(vertex)));
+        let (around, bound) = polygon.simplified(tolerance, Rounding::Outward).unwrap();
+        prop_assert!(0. <= bound && bound <= tolerance);
+        let (outer, inner) = (around.bounds(), polygon.bounds());
+        prop_assert!(outer[0] <= inner[0] && outer[1] <= inner[1]);
+        prop_assert!(outer[2] >= inner[2] && outer[3] >= inner[3]);
+        prop_assert!(around.area().unwrap() >= polygon.area().unwrap());
+    }
+
+    #[test]
     fn many_are_as_one_by_one(a in polygons(), b in polygons(), threads in 0..4_usize) {
         let pairs = [(&a, &a), (&a, &b), (&b, &b)];
         let sums = minkowski_sum_many(pairs, &Options::new().threads(threads));
