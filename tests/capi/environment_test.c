@@ -19,7 +19,7 @@ static void put_everything(struct record *record) {
     gcv_polygon *a = NULL, *b = NULL;
     if (put_status(record, pair_polygon(pair, 0, &a)) &&
         put_status(record, pair_polygon(pair, 1, &b))) {
-      put_pair(record, a, b);
+      put_pair(record, a, b, pair_tolerances[pair]);
     }
     gcv_polygon_destroy(a);
     gcv_polygon_destroy(b);

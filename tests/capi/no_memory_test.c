@@ -43,11 +43,20 @@ static gcv_status create(void) { return gcv_polygon_create(xy, 4, 0, &new_polygo
 static gcv_status create_wkt(void) {
   return gcv_polygon_create_wkt("POLYGON ((0 0, 4 0, 0 3), (1 1, 2 1, 1 2))", 42, &new_polygon);
 }
+static gcv_status simplified(void) {
+  double bound;
+  return gcv_polygon_simplified(polygon, 2, GCV_ROUND_OUTWARD, &new_polygon, &bound);
+}
 static gcv_status sum(void) { return gcv_minkowski_sum(polygon, polygon, NULL, &new_face); }
 static gcv_status outward_sum(void) {
   gcv_options options = GCV_OPTIONS_INIT;
   options.rounding = GCV_ROUND_OUTWARD;
   return gcv_minkowski_sum(fraction, polygon, &options, &new_face);
+}
+static gcv_status sum_within(void) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.tolerance = 2;
+  return gcv_minkowski_sum(polygon, polygon, &options, &new_face);
 }
 /* With a polygon of their own, which keeps its reflection to its end. */
 static gcv_status no_fit(void) {
@@ -146,8 +155,10 @@ int main(void) {
   face = sum_of(polygon, polygon);
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
+  starve_in_child("gcv_polygon_simplified", simplified);
   starve_in_child("gcv_minkowski_sum", sum);
   starve_in_child("gcv_minkowski_sum, outward", outward_sum);
+  starve_in_child("gcv_minkowski_sum, within a tolerance", sum_within);
   starve_in_child("gcv_no_fit_polygon", no_fit);
   starve_in_child("gcv_entrance_block", entrance);
   starve_in_child("gcv_outer_face_exact_vertex", exact_vertex);

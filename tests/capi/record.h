@@ -13,7 +13,7 @@
 
 struct record {
   size_t size;
-  unsigned char bytes[1 << 17];
+  unsigned char bytes[1 << 18];
 };
 
 static inline void put(struct record *record, const void *bytes, size_t size) {
@@ -83,11 +83,23 @@ static inline void put_superset(struct record *record, const gcv_superset *super
   }
 }
 
+static inline void put_simplified(struct record *record, const gcv_polygon *polygon,
+                                  double tolerance, int32_t rounding) {
+  gcv_polygon *out = NULL;
+  double bound;
+  if (put_status(record, gcv_polygon_simplified(polygon, tolerance, rounding, &out, &bound))) {
+    put_polygon(record, out);
+    put(record, &bound, sizeof bound);
+  }
+  gcv_polygon_destroy(out);
+}
+
 static inline void put_sums(struct record *record, const gcv_polygon *a, const gcv_polygon *b,
-                            int32_t rounding) {
+                            double tolerance, int32_t rounding) {
   const double point[2] = {0.1, -1e-9};
   gcv_options options = GCV_OPTIONS_INIT;
   gcv_outer_face *face = NULL;
+  options.tolerance = tolerance;
   options.rounding = rounding;
   if (put_status(record, gcv_minkowski_sum(a, b, &options, &face))) put_face(record, face);
   gcv_outer_face_destroy(face);
@@ -99,18 +111,26 @@ static inline void put_sums(struct record *record, const gcv_polygon *a, const g
   gcv_outer_face_destroy(face);
 }
 
-static inline void put_pair(struct record *record, const gcv_polygon *a, const gcv_polygon *b) {
+/* With sums within the tolerance, too. */
+static inline void put_pair(struct record *record, const gcv_polygon *a, const gcv_polygon *b,
+                            double tolerance) {
   gcv_superset *superset = NULL;
+  int32_t rounding;
   put_polygon(record, a);
   put_polygon(record, b);
-  put_sums(record, a, b, GCV_ROUND_NEAREST);
-  put_sums(record, a, b, GCV_ROUND_OUTWARD);
+  for (rounding = GCV_ROUND_NEAREST; rounding <= GCV_ROUND_OUTWARD; ++rounding) {
+    put_sums(record, a, b, 0, rounding);
+    put_sums(record, a, b, tolerance, rounding);
+    put_simplified(record, a, tolerance, rounding);
+    put_simplified(record, b, tolerance, rounding);
+  }
   if (put_status(record, gcv_superset_create(a, b, &superset))) put_superset(record, superset);
   gcv_superset_destroy(superset);
 }
 
 /* Pairs of polygons: of integers, of fractions, of subnormal numbers, of numbers whose
- * sums overflow, of numbers of all sizes, and with a slit that rounding would close. */
+ * sums overflow, of numbers of all sizes, and with a slit that rounding would close. And
+ * tolerances within which there are vertices to leave out. */
 enum { PAIRS = 6 };
 static const char *const pair_texts[PAIRS][2] = {
     {"POLYGON ((0 0, 4 4, 2 3, 0 4))", "POLYGON ((0 0, 3 3, 0 2))"},
@@ -127,6 +147,8 @@ static const char *const pair_texts[PAIRS][2] = {
      "18014398509481984 16))",
      "POLYGON ((0 0, 2 0, 2 1, 0 1))"},
 };
+
+static const double pair_tolerances[PAIRS] = {4, 0.5, 2e-323, 1e308, 1e30, 8};
 
 static inline gcv_status pair_polygon(int pair, int which, gcv_polygon **polygon) {
   const char *text = pair_texts[pair][which];

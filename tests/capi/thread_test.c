@@ -13,7 +13,9 @@ static gcv_outer_face *shared_face;
 
 static void put_everything(struct record *record) {
   int pair;
-  for (pair = 0; pair < PAIRS; ++pair) put_pair(record, polygons[pair][0], polygons[pair][1]);
+  for (pair = 0; pair < PAIRS; ++pair) {
+    put_pair(record, polygons[pair][0], polygons[pair][1], pair_tolerances[pair]);
+  }
   put_face(record, shared_face);
   put_refusals(record);
 }

@@ -189,6 +189,16 @@ void starve(const std::string& name, const Attempt& attempt) {
   std::printf("%s: %ld allocations\n", name.c_str(), allocations);
 }
 
+Attempt simplified(const gcv_polygon* polygon, double tolerance, std::int32_t rounding) {
+  return handle<gcv_polygon>([=](gcv_polygon** out) {
+    double bound = -1;
+    const gcv_status status = gcv_polygon_simplified(polygon, tolerance, rounding, out, &bound);
+    check(status == GCV_OK ? bound >= 0 : bound == -1, "gcv_polygon_simplified",
+          " gave a wrong bound");
+    return status;
+  });
+}
+
 void starve_sums(const gcv::faults::Pair& pair) {
   static constexpr double point[] = {0.5, -0.25};
   const gcv_polygon* const a = pair.a.get();
@@ -207,6 +217,12 @@ void starve_sums(const gcv::faults::Pair& pair) {
     starve(name("gcv_entrance_block"), handle<gcv_outer_face>([=](gcv_outer_face** out) {
              return gcv_entrance_block(a, b, point, &options, out);
            }));
+    const gcv_options within = gcv::faults::options(rounding, pair.tolerance);
+    starve(name("gcv_no_fit_polygon within a tolerance"),
+           handle<gcv_outer_face>([=](gcv_outer_face** out) {
+             return gcv_no_fit_polygon(a, b, point, &within, out);
+           }));
+    starve(name("gcv_polygon_simplified"), simplified(a, pair.tolerance, rounding));
   }
 }
 
@@ -242,6 +258,14 @@ void starve_polygons() {
   starve("gcv_polygon_create_wkt", handle<gcv_polygon>([](gcv_polygon** out) {
            return gcv_polygon_create_wkt(wkt.data(), wkt.size(), out);
          }));
+  // The tolerance has to be cut along the walls of the slit; outward, two vertices below become
+  // one.
+  const Owner<gcv_polygon> fork = gcv::faults::read(
+      "POLYGON ((0 0, 3 -0.2, 5 -0.2, 8 0, 8 8, 4.5 8, 4.7 5, 4.5 2, 4 2, 4.6 5, 4 8, 0 8))");
+  for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
+    starve("gcv_polygon_simplified of a fork, rounding " + std::to_string(rounding),
+           simplified(fork.get(), 0.5, rounding));
+  }
 }
 
 }  // namespace

@@ -51,14 +51,15 @@ struct Pair {
   const char* name;
   Owner<gcv_polygon> a;
   Owner<gcv_polygon> b;
+  double tolerance;  // within which there are vertices to leave out
 };
 
 // The second is a slot and a tooth that fits, turned by an angle: rounding alone would make
 // the walls of the slit cross. The last is beyond the integers of 512 bits.
 inline std::vector<Pair> pairs() {
   std::vector<Pair> pairs;
-  pairs.push_back(
-      {"integers", read("POLYGON ((0 0, 4 4, 2 3, 0 4))"), read("POLYGON ((0 0, 3 3, 1 2, 0 2))")});
+  pairs.push_back({"integers", read("POLYGON ((0 0, 4 4, 2 3, 0 4))"),
+                   read("POLYGON ((0 0, 3 3, 1 2, 0 2))"), 4});
   pairs.push_back(
       {"rotated slot",
        read("POLYGON ((0 0, 6.7823869519745132 1.7318277147816605, 4.8031552779383295 "
@@ -66,18 +67,20 @@ inline std::vector<Pair> pairs() {
             "2.2059322179832592, 2.6593333058774116 1.7111242994742135, 0.92750559109575081 "
             "8.4935112514487265, -1.9792316740361835 7.7512993736851579))"),
        read("POLYGON ((0 0, 1.9378248434212895 0.49480791850904587, 0.4534010878941519 "
-            "6.3082824487729141, -1.4844237555271376 5.8134745302638686))")});
+            "6.3082824487729141, -1.4844237555271376 5.8134745302638686))"),
+       4});
   pairs.push_back({"convex", read("POLYGON ((0 0, 0.1 0, 0.2 0.1, 0.1 0.3))"),
-                   read("POLYGON ((0 0, 0.7 0, 0.7 0.1, 0 0.1))")});
+                   read("POLYGON ((0 0, 0.7 0, 0.7 0.1, 0 0.1))"), 1});
   pairs.push_back({"all magnitudes",
                    read("POLYGON ((-1e100 1e-300, 3 -1e-310, 1e17 1, 5e15 1e30))"),
-                   read("POLYGON ((0 0, 1e-200 1e-200, 1 1e-308, 1e9 1e-9, 0.1 1e5))")});
+                   read("POLYGON ((0 0, 1e-200 1e-200, 1 1e-308, 1e9 1e-9, 0.1 1e5))"), 1e10});
   return pairs;
 }
 
-inline gcv_options options(std::int32_t rounding) {
+inline gcv_options options(std::int32_t rounding, double tolerance = 0) {
   gcv_options options = GCV_OPTIONS_INIT;
   options.rounding = rounding;
+  options.tolerance = tolerance;
   return options;
 }
 

@@ -36,6 +36,10 @@ Faces faces_of(const Pair& pair) {
     faces.push_back(made<gcv_outer_face>([&](gcv_outer_face** out) {
       return gcv_entrance_block(pair.a.get(), pair.b.get(), point, &options, out);
     }));
+    const gcv_options within = gcv::faults::options(rounding, pair.tolerance);
+    faces.push_back(made<gcv_outer_face>([&](gcv_outer_face** out) {
+      return gcv_no_fit_polygon(pair.a.get(), pair.b.get(), point, &within, out);
+    }));
   }
   return faces;
 }

@@ -50,6 +50,15 @@ class Faults {
   std::vector<gcv_status> statuses_;
 };
 
+std::int32_t any_rounding(Input& input) {
+  return input.one_of<std::int32_t>({0, 1, 0, 1, 2, -1, INT32_MIN, INT32_MAX});
+}
+double any_tolerance(Input& input) {
+  return input.one_of({0.0, 0.0, -0.0, 0.5, 1e-300, -1.0, std::nan(""), HUGE_VAL});
+}
+bool is_rounding(std::int32_t rounding) { return rounding == 0 || rounding == 1; }
+bool is_tolerance(double tolerance) { return tolerance >= 0 && tolerance < HUGE_VAL; }
+
 // Options of any size and with any values, in just as much memory; or NULL.
 class Options {
  public:
@@ -62,16 +71,15 @@ class Options {
     gcv_options options;
     gcv_options_init(&options);
     options.struct_size = static_cast<std::uint32_t>(size);
-    options.rounding = input.one_of<std::int32_t>({0, 1, 0, 1, 2, -1, INT32_MIN, INT32_MAX});
-    options.tolerance = input.one_of({0.0, 0.0, -0.0, 0.5, 1e-300, -1.0, std::nan(""), HUGE_VAL});
+    options.rounding = any_rounding(input);
+    options.tolerance = any_tolerance(input);
     options.threads = input.one_of<std::int32_t>({1, 1, 1, 0, 2, 3, -1, INT32_MIN});
     const auto unknown = static_cast<unsigned char>(input.below(2));
     bytes_.assign(std::max(size, sizeof options.struct_size), unknown);
     std::memcpy(bytes_.data(), &options, std::min(bytes_.size(), sizeof options));
     const bool is_first = size == 16;  // the size of the first version
     faults.add_if((!is_first && size < sizeof options) || (size > sizeof options && unknown != 0) ||
-                      options.rounding < 0 || options.rounding > 1 ||
-                      !(options.tolerance >= 0 && options.tolerance < HUGE_VAL) ||
+                      !is_rounding(options.rounding) || !is_tolerance(options.tolerance) ||
                       (!is_first && options.threads < 0),
                   GCV_ERR_INVALID_ARGUMENT);
   }
@@ -98,7 +106,8 @@ class Session {
                                      &Session::face_vertices, &Session::exact_vertex,
                                      &Session::edge_sources,  &Session::wkt,
                                      &Session::edges,         &Session::stats,
-                                     &Session::destroy,       &Session::constants};
+                                     &Session::destroy,       &Session::constants,
+                                     &Session::simplified};
     for (int steps = 0; steps < 64 && !input_.empty(); ++steps) {
       (this->*input_.one_of(calls))();
     }
@@ -250,6 +259,21 @@ class Session {
     const Options options(input_, faults);
     make("gcv_minkowski_sum", faces_, faults, {GCV_ERR_RANGE},
          [&](gcv_outer_face** out) { return gcv_minkowski_sum(a, b, options.get(), out); });
+  }
+
+  void simplified() {
+    Faults faults;
+    const gcv_polygon* const polygon = pick(polygons_, faults);
+    const double tolerance = any_tolerance(input_);
+    const std::int32_t rounding = any_rounding(input_);
+    faults.add_if(!is_tolerance(tolerance) || !is_rounding(rounding), GCV_ERR_INVALID_ARGUMENT);
+    double bound = -1;
+    double* const given = faults.pointer(input_.below(16) == 0 ? nullptr : &bound);
+    make("gcv_polygon_simplified", polygons_, faults, {}, [&](gcv_polygon** out) {
+      return gcv_polygon_simplified(polygon, tolerance, rounding, out, given);
+    });
+    check(bound == -1 ? !faults.none() : faults.none() && bound >= 0 && bound <= tolerance,
+          "a bound or not?");
   }
 
   template <class Function>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Bytes -> two polygons of few vertices -> sum, no-fit polygon and entrance block, with both
-// roundings. What is valid must be accepted, and the invariants of sums must hold.
+// roundings, and within a tolerance. What is valid must be accepted, and the invariants of sums
+// and of simplified polygons must hold.
 #include <array>
 #include <cmath>
 #include <limits>
@@ -181,6 +182,14 @@ void check_corners(const gcv_polygon* polygon) {
   check_ring(is_simple(ring), "a ring is accepted that is not simple", ring);
 }
 
+double largest_coordinate(const Ring& ring) {
+  double largest = 0;
+  for (const Point& p : ring) {
+    largest = std::max({largest, std::abs(p[0]), std::abs(p[1])});
+  }
+  return largest;
+}
+
 // Can the sum be beyond all doubles, or so small beside its place in the plane that it has
 // no area in doubles?
 bool may_be_out_of_range(const Ring& a, const Ring& b) {
@@ -238,7 +247,7 @@ std::string outcome(const char* name, std::initializer_list<gcv_status> others, 
   return succeeds(name, status, others) ? description(out) : gcv_status_name(status);
 }
 
-void check_pair(const Ring& a, const Ring& b, const Point& reference) {
+void check_pair(const Ring& a, const Ring& b, const Point& reference, int exponent) {
   const Handle handle_a = make(a);
   const Handle handle_b = make(b);
   if (!handle_a || !handle_b) {
@@ -278,8 +287,16 @@ void check_pair(const Ring& a, const Ring& b, const Point& reference) {
   gcv::invariants::Effort effort;
   effort.work = 1000;
   effort.may_be_out_of_range = may_be_out_of_range(a, b);
-  for (const std::string& sentence : gcv::invariants::broken_invariants(a, b, effort)) {
-    gcv::fuzz::fail(sentence + where);
+  const auto expect_none = [&](const std::vector<std::string>& sentences) {
+    for (const std::string& sentence : sentences) {
+      gcv::fuzz::fail(sentence + where);
+    }
+  };
+  expect_none(gcv::invariants::broken_invariants(a, b, effort));
+  const double tolerance = std::ldexp(largest_coordinate(a), exponent);
+  expect_none(gcv::invariants::broken_simplification(a, tolerance, effort));
+  if (!effort.may_be_out_of_range) {
+    expect_none(gcv::invariants::broken_sum_within(a, b, tolerance, effort));
   }
 }
 
@@ -290,6 +307,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Placement placement;
   const Ring a = read_ring(input, placement);
   const Ring b = read_ring(input, placement);
-  check_pair(a, b, input.take<Point>());
+  const auto reference = input.take<Point>();
+  check_pair(a, b, reference, -static_cast<int>(input.below(64)));
   return 0;
 }

@@ -68,6 +68,9 @@ def polygons() -> dict[str, bytes]:
             + comb(*TOOTH, how=SAME_PLACEMENT)
             + reference
         )
+    for halvings in (1, 2, 3, 40):
+        ring = (-9, 0, 1, -6, 9, -7, 8, 1, 9, 8, 3, 8, 0, 2, -3, 7)
+        inputs[f"within_{halvings}"] = grid(*ring) * 2 + reference + bytes([halvings])
     dice = random.Random(1)
     for k, how in enumerate((0, ROTATED, SCALED, SHIFTED, ULPS, ROTATED | SHIFTED) * 2):
         inputs[f"stars_{k}"] = b"".join(bytes([STAR | how]) + dice.randbytes(40) for _ in "ab")
@@ -78,9 +81,9 @@ def calls() -> dict[str, bytes]:
     (
         create, create_wkt, sum_, no_fit, entrance, superset, face_polygon, polygon_numbers,
         face_numbers, polygon_vertices, face_vertices, exact_vertex, edge_sources, wkt, edges,
-        stats, destroy, constants,
-    ) = range(18)  # fmt: skip
-    all_calls = range(18)
+        stats, destroy, constants, simplified,
+    ) = range(19)  # fmt: skip
+    all_calls = range(19)
 
     def polygon(text: int, slot: int = 0) -> bytes:
         return bytes([create_wkt, text, 1, 1, slot, 1])
@@ -136,6 +139,14 @@ def calls() -> dict[str, bytes]:
             bytes([sum_, 0, 1]) + options[:k] + bytes([value]) + options[k + 1 :] + made
             for value in range(11)
         )
+    for k, name in enumerate(("tolerances", "roundings")):
+        arguments = bytes([3, 1])
+        inputs[f"simplified_{name}"] = ready + b"".join(
+            bytes([simplified, 1]) + arguments[:k] + bytes([value]) + arguments[k + 1 :]
+            + b"\1\2\1"
+            + bytes([sum_, 2, 0]) + options + made
+            for value in range(8)
+        )  # fmt: skip
     inputs["options_unknown"] = ready + bytes([sum_, 0, 1, 9, 0, 0, 1]) + made
     for name, call in (
         ("polygon_vertices", polygon_vertices), ("face_vertices", face_vertices),
