@@ -13,8 +13,9 @@
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
  * number. Every decision of the computation is exact for every such input; there
- * is no epsilon in it, and no tolerance but one that the caller asks for. Only the coordinates that
- * are handed back as doubles are rounded, each once, and each function says how.
+ * is no epsilon in it, and no tolerance but one that the caller asks for. Only the
+ * coordinates that are handed back as doubles are rounded, each once, and each
+ * function says how.
  *
  * Reproducibility. The same input gives the same bits on every run, thread,
  * compiler and optimisation level. The rounding mode, flush-to-zero and exception
