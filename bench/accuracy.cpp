@@ -81,16 +81,22 @@ std::vector<Method> methods(const Ring& a, const Ring& b, double diameter, bool 
     constexpr double any = std::numeric_limits<double>::infinity();
     result.push_back({setting, resolution, {name, Role::peer, any, std::move(prepare)}});
   };
-  for (const auto& [name, outward] :
-       {std::pair("libgcv, nearest", false), std::pair("libgcv, outward", true)}) {
-    add(name, "exact", 0, libgcv_cold(GCV_LIBRARY, {outward}));
+  const auto add_with_tolerances = [&](const char* name, const auto& prepare) {
+    add(name, "exact", 0, prepare(0));
     for (int k = quick ? 2 : 1; k <= 12; k += quick ? 5 : 1) {
       const double tolerance = std::pow(10, -k) * diameter;
-      add(name, "tolerance " + power_of_ten(-k), tolerance,
-          libgcv_cold(GCV_LIBRARY, {outward, tolerance}));
+      add(name, "tolerance " + power_of_ten(-k), tolerance, prepare(tolerance));
     }
+  };
+  for (const auto& [name, outward] :
+       {std::pair("libgcv, nearest", false), std::pair("libgcv, outward", true)}) {
+    add_with_tolerances(name, [outward = outward](double tolerance) {
+      return libgcv_cold(GCV_LIBRARY, {outward, tolerance});
+    });
   }
-  add("libgcv, prepared", "exact", 0, libgcv_prepared(GCV_LIBRARY));
+  add_with_tolerances("libgcv, prepared", [](double tolerance) {
+    return libgcv_prepared(GCV_LIBRARY, {false, tolerance});
+  });
   add("libgcv, plain doubles", "doubles", 0, libgcv_cold(GCV_PLAIN_LIBRARY));
   add("CGAL reduced convolution", "exact", 0, cgal_reduced_convolution);
   add("SFCGAL", "exact", 0, sfcgal);

@@ -52,6 +52,11 @@ struct ChainTree {
   Box box{};                               // the root's
 
   [[nodiscard]] bool is_edge(const Node& node) const { return node.depth == first_block.size(); }
+  // How many nodes have that depth, above that of the edges.
+  [[nodiscard]] std::uint32_t nodes_of_depth(std::uint32_t depth) const {
+    const std::size_t end = depth + 1 < first_block.size() ? first_block[depth + 1] : blocks.size();
+    return static_cast<std::uint32_t>(end) - first_block[depth];
+  }
   // The number of the block of a node's children.
   [[nodiscard]] std::uint32_t block_below(const Node& node) const {
     return first_block[node.depth] + node.index;
@@ -123,7 +128,7 @@ class OverlappingPairs {
     return true;
   }
 
- private:
+  // Those of one edge below each of two nodes, whose boxes overlap. False where it was ended.
   bool between(const ChainTree::Node& a, const Box& box_a, const ChainTree::Node& b,
                const Box& box_b) {
     if (looks_left_-- == 0) {
@@ -145,6 +150,7 @@ class OverlappingPairs {
     return true;
   }
 
+ private:
   const ChainTree& tree_;
   std::uint64_t looks_left_;
   Visit& visit_;

@@ -140,7 +140,8 @@ std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& 
     return nearest;
   }
   const std::vector<Point> snapped = snap(nearest.places).vertices;
-  if (snapped.size() >= 3 && !find_conflict(snapped) && is_counter_clockwise(snapped)) {
+  if (snapped.size() >= 3 && !find_conflict(snapped, task.threads()) &&
+      is_counter_clockwise(snapped)) {
     return nearest;
   }
   std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);

@@ -8,6 +8,7 @@
 #include "simplicity.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <iterator>
 #include <numeric>
@@ -16,6 +17,7 @@
 #include <vector>
 
 #include "chain_tree.hpp"
+#include "parallel.hpp"
 #include "predicates.hpp"
 
 namespace gcv {
@@ -177,6 +179,10 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
   return segments_meet(ring[e], ring[next(e)], ring[f], ring[next(f)], tally);
 }
 
+bool boxes_overlap(const Box& a, const Box& b) {
+  return !((b.x0 > a.x1) | (b.x1 < a.x0) | (b.y0 > a.y1) | (b.y1 < a.y0));
+}
+
 // Each edge with each later one: for a few edges, the fastest way.
 std::optional<Conflict> compare_all(std::span<const Point> ring) {
   const std::size_t n = ring.size();
@@ -184,10 +190,8 @@ std::optional<Conflict> compare_all(std::span<const Point> ring) {
   for (std::size_t e = 0; e < n; ++e) {
     const Box box = box_of(ring[e], ring[e + 1 == n ? 0 : e + 1]);
     for (std::size_t f = e + 1; f < n; ++f) {
-      const Box other = box_of(ring[f], ring[f + 1 == n ? 0 : f + 1]);
-      const bool apart =
-          (other.x0 > box.x1) | (other.x1 < box.x0) | (other.y0 > box.y1) | (other.y1 < box.y0);
-      if (!apart && conflicting(ring, e, f, tally)) {
+      if (boxes_overlap(box, box_of(ring[f], ring[f + 1 == n ? 0 : f + 1])) &&
+          conflicting(ring, e, f, tally)) {
         return Conflict{e, f};
       }
     }
@@ -196,23 +200,48 @@ std::optional<Conflict> compare_all(std::span<const Point> ring) {
 }
 
 // Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
-// few others, and take a third of the time of the sweep.
-bool is_soon_seen_simple(std::span<const Point> ring) {
+// few others, and take a third of the time of the sweep. On several threads, each node of some
+// depth is a part of the work: its own pairs, and those with later nodes.
+bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
   constexpr std::uint64_t looks_per_edge = 6;
-  Tally tally;
-  return visit_overlapping_pairs(
-      build_chain_tree(ring), looks_per_edge * ring.size(),
-      [&](std::size_t e, std::size_t f) { return !conflicting(ring, e, f, tally); });
+  constexpr std::size_t many_edges = 4096;
+  const ChainTree tree = build_chain_tree(ring);
+  const std::uint32_t depth = threads > 1 && ring.size() > many_edges ? 3 : 0;
+  const std::uint32_t parts = tree.nodes_of_depth(depth);
+  const auto box_of_node = [&](std::uint32_t k) {
+    return depth == 0 ? tree.box
+                      : tree.blocks[tree.first_block[depth - 1] + k / ChainTree::width].box(
+                            k % ChainTree::width);
+  };
+  std::atomic<bool> seen{true};
+  for_each_in_parallel(parts, threads, [&](std::size_t number) {
+    const auto k = static_cast<std::uint32_t>(number);
+    Tally tally;
+    const auto apart = [&](std::size_t e, std::size_t f) {
+      return !conflicting(ring, e, f, tally);
+    };
+    OverlappingPairs pairs(tree, looks_per_edge * ring.size() / parts, apart);
+    bool all_apart = pairs.within({depth, k});
+    for (std::uint32_t later = k + 1; all_apart && later < parts; ++later) {
+      if (boxes_overlap(box_of_node(k), box_of_node(later))) {
+        all_apart = pairs.between({depth, k}, box_of_node(k), {depth, later}, box_of_node(later));
+      }
+    }
+    if (!all_apart) {
+      seen = false;
+    }
+  });
+  return seen;
 }
 
 }  // namespace
 
-std::optional<Conflict> find_conflict(std::span<const Point> ring) {
+std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned threads) {
   constexpr std::size_t few = 32;
   if (ring.size() <= few) {
     return compare_all(ring);
   }
-  return is_soon_seen_simple(ring) ? std::nullopt : Sweep(ring).run();
+  return is_soon_seen_simple(ring, threads) ? std::nullopt : Sweep(ring).run();
 }
 
 bool is_counter_clockwise(std::span<const Point> ring) {

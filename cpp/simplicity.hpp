@@ -21,8 +21,8 @@ struct Conflict {
 // Looks for two edges of the closed ring that cross, touch or overlap, other than two
 // neighbours in their common vertex. Consecutive vertices must be distinct, and no
 // vertex may be a spike (an edge turning back on the one before); collinear vertices
-// are allowed. O(n log n).
-std::optional<Conflict> find_conflict(std::span<const Point> ring);
+// are allowed. O(n log n); on several threads where few edges are near each other.
+std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned threads = 1);
 
 // Does a simple ring go counter-clockwise?
 bool is_counter_clockwise(std::span<const Point> ring);

@@ -32,7 +32,8 @@ class SupersetTree {
     for (std::uint32_t count = 1; count > 0;) {
       const ChainTree::Node node = stack[--count];
       const unsigned lanes = place.overlapping(tree_.blocks[tree_.block_below(node)]);
-      const std::uint32_t siblings = node.depth == last ? edge_count() : blocks_below(node.depth);
+      const std::size_t siblings =
+          node.depth == last ? edges_.size() : tree_.nodes_of_depth(node.depth + 1);
       const std::uint32_t first = count;
       for_each_lane(lanes, [&](std::uint32_t lane) {
         const ChainTree::Node child = ChainTree::child(node, lane);
@@ -55,16 +56,6 @@ class SupersetTree {
  private:
   // Each of at most 16 depths leaves three nodes behind when one is gone into.
   static constexpr std::uint32_t most_nodes = 64;
-
-  [[nodiscard]] std::uint32_t edge_count() const {
-    return static_cast<std::uint32_t>(edges_.size());
-  }
-  // How many nodes have the depth below this one, which is not that of edges.
-  [[nodiscard]] std::uint32_t blocks_below(std::uint32_t depth) const {
-    const std::vector<std::uint32_t>& first = tree_.first_block;
-    const std::size_t end = depth + 2 < first.size() ? first[depth + 2] : tree_.blocks.size();
-    return static_cast<std::uint32_t>(end) - first[depth + 1];
-  }
 
   std::vector<PairEdge> edges_;
   ChainTree tree_;

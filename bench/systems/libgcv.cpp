@@ -16,6 +16,7 @@ namespace {
 struct Library {
   decltype(&gcv_last_error_message) last_error_message;
   decltype(&gcv_polygon_create) polygon_create;
+  decltype(&gcv_polygon_simplified) polygon_simplified;
   decltype(&gcv_polygon_destroy) polygon_destroy;
   decltype(&gcv_minkowski_sum) minkowski_sum;
   decltype(&gcv_outer_face_exact_vertex_count) exact_vertex_count;
@@ -47,6 +48,7 @@ Library load(const char* file) {
   Library library{};
   find(handle, "gcv_last_error_message", library.last_error_message);
   find(handle, "gcv_polygon_create", library.polygon_create);
+  find(handle, "gcv_polygon_simplified", library.polygon_simplified);
   find(handle, "gcv_polygon_destroy", library.polygon_destroy);
   find(handle, "gcv_minkowski_sum", library.minkowski_sum);
   find(handle, "gcv_outer_face_exact_vertex_count", library.exact_vertex_count);
@@ -63,6 +65,17 @@ PolygonHandle make_handle(const Library& library, const Ring& ring) {
   gcv_polygon* polygon = nullptr;
   library.check(library.polygon_create(&ring.data()->x, ring.size(), 0, &polygon));
   return {polygon, library.polygon_destroy};
+}
+
+// The polygon within half of the tolerance.
+PolygonHandle make_simplified(const Library& library, const Ring& ring,
+                              const gcv_options& options) {
+  const PolygonHandle polygon = make_handle(library, ring);
+  gcv_polygon* simplified = nullptr;
+  double bound = 0;
+  library.check(library.polygon_simplified(polygon.get(), options.tolerance / 2, options.rounding,
+                                           &simplified, &bound));
+  return {simplified, library.polygon_destroy};
 }
 
 gcv_options options_of(Precision precision) {
@@ -104,8 +117,12 @@ Prepare libgcv_cold(const char* library, Precision precision) {
 Prepare libgcv_prepared(const char* library, Precision precision) {
   return [lib = load(library), options = options_of(precision)](const Ring& a, const Ring& b) {
     auto observation = std::make_shared<Observation>();
-    return Job{[lib, options, p = make_handle(lib, a), q = make_handle(lib, b), observation] {
-                 return sum(lib, p.get(), q.get(), options, *observation);
+    const PolygonHandle p = make_simplified(lib, a, options);
+    const PolygonHandle q = make_simplified(lib, b, options);
+    gcv_options rounding_alone = options;
+    rounding_alone.tolerance = 0;
+    return Job{[lib, rounding_alone, p, q, observation] {
+                 return sum(lib, p.get(), q.get(), rounding_alone, *observation);
                },
                [observation] { return *observation; }};
   };

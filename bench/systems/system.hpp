@@ -54,7 +54,7 @@ struct Precision {
 };
 
 // libgcv through its C interface, from the shared library in that file: with both polygons
-// made anew for each sum, or with their handles at hand.
+// made anew for each sum, or with their handles at hand, simplified where there is a tolerance.
 Prepare libgcv_cold(const char* library, Precision precision = {});
 Prepare libgcv_prepared(const char* library, Precision precision = {});
 

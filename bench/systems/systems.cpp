@@ -34,6 +34,7 @@ std::vector<System> systems() {
           {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
           {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
           {"libgcv without capsules", Role::peer, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
+          {"libgcv without tree", Role::peer, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
           {"libgcv without windows", Role::peer, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
           {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2
