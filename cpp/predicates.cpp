@@ -14,7 +14,7 @@
 #include <cmath>
 #include <limits>
 
-#include "exact_numbers.hpp"
+#include "exact_predicates.hpp"
 
 namespace gcv {
 
@@ -69,11 +69,7 @@ int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tal
     ++tally.filtered;
     return sign_of(approximation.value);
   }
-  const Grid grid{p0, p1, q0, q1};
-  return with_integers(2 * grid.bits() + 3, tally, [&]<class Integer>() {
-    return sign(
-        cross(vector_between<Integer>(grid, p0, p1), vector_between<Integer>(grid, q0, q1)));
-  });
+  return exact::turn(p0, p1, q0, q1, tally);
 }
 
 int orientation(const Point& p, const Point& q, const Point& r, Tally& tally) {
@@ -86,12 +82,7 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
     ++tally.filtered;
     return sign_of(approximation.value);
   }
-  Grid grid{point.a, point.b};
-  grid.include(s);
-  return with_integers(2 * grid.bits() + 4, tally, [&]<class Integer>() {
-    return sign(cross(vector_between<Integer>(grid, s.from, s.to),
-                      vector_between<Integer>(grid, s.origin, point)));
-  });
+  return exact::side(s, point, tally);
 }
 
 // Rounding is monotonic: sums that round differently compare as their roundings do.
@@ -110,11 +101,7 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
     };
     return sign_of(error(a, b, first) - error(c, d, second));
   }
-  const Grid grid{Point{a, b}, Point{c, d}};
-  return with_integers(grid.bits() + 2, tally, [&]<class Integer>() {
-    const Integer sum = grid.integer<Integer>(a) + grid.integer<Integer>(b);
-    return sign(Integer(sum - grid.integer<Integer>(c) - grid.integer<Integer>(d)));
-  });
+  return exact::compare_sums(a, b, c, d, tally);
 }
 
 // lambda_t = N / D, as in crossing(). With |N - N'| <= eN, |D - D'| <= eD (primes: exact)
@@ -141,20 +128,7 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
 }
 
 int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
-  Grid grid;
-  grid.include(s);
-  grid.include(t);
-  grid.include(r);
-  return with_integers(4 * grid.bits() + 8, tally, [&]<class Integer>() {
-    const auto ds = vector_between<Integer>(grid, s.from, s.to);
-    const auto dt = vector_between<Integer>(grid, t.from, t.to);
-    const auto dr = vector_between<Integer>(grid, r.from, r.to);
-    const Integer nt = cross(vector_between<Integer>(grid, s.origin, t.origin), dt);
-    const Integer nr = cross(vector_between<Integer>(grid, s.origin, r.origin), dr);
-    const Integer det = cross(ds, dt);
-    const Integer der = cross(ds, dr);
-    return sign(Integer(nt * der - nr * det)) * sign(det) * sign(der);
-  });
+  return exact::compare_crossings(s, t, r, tally);
 }
 
 }  // namespace gcv
