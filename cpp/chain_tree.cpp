@@ -25,16 +25,18 @@ Box box_of(const Point& p, const Point& q) {
 ChainTree build_chain_tree(std::span<const Box> edges) {
   constexpr std::uint32_t width = ChainTree::width;
   ChainTree tree;
-  std::vector<std::uint32_t> counts;  // of the blocks of each depth, from the edges up
+  std::uint32_t counts[ChainTree::most_depths];  // of the blocks, from those of edges up
+  std::size_t depths = 0;
   auto count = static_cast<std::uint32_t>(edges.size());
   do {
     count = (count + width - 1) / width;
-    counts.push_back(count);
+    counts[depths++] = count;
   } while (count > 1);
   std::uint32_t total = 0;
-  for (std::size_t depth = counts.size(); depth-- > 0;) {
-    tree.first_block.push_back(total);
-    total += counts[depth];
+  tree.first_block.resize(depths);
+  for (std::size_t depth = 0; depth < depths; ++depth) {
+    tree.first_block[depth] = total;
+    total += counts[depths - 1 - depth];
   }
   tree.blocks.resize(total);
   const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::size_t lanes,
@@ -43,10 +45,9 @@ ChainTree build_chain_tree(std::span<const Box> edges) {
       tree.blocks[first + k / width].put(k % width, k < lanes ? box(k) : nothing);
     }
   };
-  fill(tree.first_block.back(), counts.front(), edges.size(),
-       [&](std::uint32_t k) { return edges[k]; });
-  for (std::size_t level = 1; level < counts.size(); ++level) {
-    const std::size_t depth = counts.size() - 1 - level;
+  fill(tree.first_block.back(), counts[0], edges.size(), [&](std::uint32_t k) { return edges[k]; });
+  for (std::size_t level = 1; level < depths; ++level) {
+    const std::size_t depth = depths - 1 - level;
     fill(tree.first_block[depth], counts[level], counts[level - 1],
          [&](std::uint32_t k) { return join(tree.blocks[tree.first_block[depth + 1] + k]); });
   }

@@ -21,6 +21,7 @@ namespace gcv {
 struct ChainTree {
   static constexpr std::uint32_t width = 4;
   static constexpr unsigned all_lanes = 15;
+  static constexpr std::size_t most_depths = 16;  // of fewer than 2^32 edges
 
   // The boxes of the children of one node. Those that are missing hold no point.
   struct Block {

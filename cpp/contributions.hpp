@@ -20,14 +20,14 @@ class EdgesByRank {
   EdgesByRank(const std::vector<Rank>& ranks, Rank half_turn)
       : first_(2 * std::size_t{half_turn} + 1), edges_(ranks.size()) {
     for (const Rank rank : ranks) {
-      ++first_[rank + 1];
+      ++first_[rank];
     }
     for (std::size_t rank = 1; rank < first_.size(); ++rank) {
       first_[rank] += first_[rank - 1];
     }
-    std::vector<Index> next(first_.begin(), first_.end() - 1);
-    for (std::size_t edge = 0; edge < ranks.size(); ++edge) {
-      edges_[next[ranks[edge]]++] = static_cast<Index>(edge);
+    // Backwards from the ends, so that first_ comes to be what it says.
+    for (std::size_t edge = ranks.size(); edge-- > 0;) {
+      edges_[--first_[ranks[edge]]] = static_cast<Index>(edge);
     }
   }
 
@@ -51,8 +51,17 @@ class EdgesByRank {
   }
 
  private:
-  std::vector<Index> first_;  // of the edges of each rank
+  std::vector<Index> first_;  // place of the first edge of each rank
   std::vector<Index> edges_;
+};
+
+// Those of both polygons.
+struct RankedEdges {
+  explicit RankedEdges(const Directions& directions)
+      : a(directions.rank_a, directions.half_turn), b(directions.rank_b, directions.half_turn) {}
+
+  EdgesByRank a;
+  EdgesByRank b;
 };
 
 // Calls visit(vertex, in, out) for each convex vertex of a polygon, with its cone.

@@ -100,8 +100,9 @@ double slack_of(const Operands& operands) {
 class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
-    if (count_superset(operands) <= few_edges) {
-      tree_.emplace(operands);
+    const RankedEdges ranked(operands.directions);
+    if (count_superset(operands, ranked) <= few_edges) {
+      tree_.emplace(operands, ranked);
     } else {
       implicit_.emplace(operands);
     }

@@ -223,6 +223,7 @@ void sort_directions(Polygon& polygon, Tally& tally) {
     std::sort(order.begin(), order.end(), before);
   }
   polygon.line_of_edge.resize(n);
+  polygon.edge_of_line.reserve(n);
   for (Index k = 0; k < n; ++k) {
     if (k == 0 || compare(order[k - 1], order[k]) != 0) {
       polygon.edge_of_line.push_back(order[k]);

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "contributions.hpp"
-
 namespace gcv {
 
 namespace {
@@ -61,22 +59,19 @@ Box box_of_edge(const Operands& operands, const PairEdge& e) {
 
 }  // namespace
 
-std::uint64_t count_superset(const Operands& operands) {
-  const auto& [half_turn, rank_a, rank_b] = operands.directions;
-  return count_contributions(EdgesByRank(rank_a, half_turn), operands.b, rank_b) +
-         count_contributions(EdgesByRank(rank_b, half_turn), operands.a, rank_a);
+std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked) {
+  return count_contributions(ranked.a, operands.b, operands.directions.rank_b) +
+         count_contributions(ranked.b, operands.a, operands.directions.rank_a);
 }
 
-SupersetTree::SupersetTree(const Operands& operands) {
-  const auto& [half_turn, rank_a, rank_b] = operands.directions;
-  const EdgesByRank edges_a(rank_a, half_turn);
-  const EdgesByRank edges_b(rank_b, half_turn);
+SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked) {
   std::vector<PairEdge> edges;
-  for_each_cone(operands.b, rank_b, [&](Index j, Rank in, Rank out) {
-    edges_a.for_each(in, out, [&](Index i) { edges.push_back({PairEdge::translated, i, j}); });
+  edges.reserve(count_superset(operands, ranked));
+  for_each_cone(operands.b, operands.directions.rank_b, [&](Index j, Rank in, Rank out) {
+    ranked.a.for_each(in, out, [&](Index i) { edges.push_back({PairEdge::translated, i, j}); });
   });
-  for_each_cone(operands.a, rank_a, [&](Index i, Rank in, Rank out) {
-    edges_b.for_each(in, out, [&](Index j) { edges.push_back({PairEdge::corner, i, j}); });
+  for_each_cone(operands.a, operands.directions.rank_a, [&](Index i, Rank in, Rank out) {
+    ranked.b.for_each(in, out, [&](Index j) { edges.push_back({PairEdge::corner, i, j}); });
   });
   const Box& box_a = operands.a.tree.box;
   const Box& box_b = operands.b.tree.box;

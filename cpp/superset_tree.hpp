@@ -10,16 +10,17 @@
 
 #include "chain_tree.hpp"
 #include "contributing_vertices.hpp"
+#include "contributions.hpp"
 
 namespace gcv {
 
 // How many superset edges there are, before merging. O(n + m).
-std::uint64_t count_superset(const Operands& operands);
+std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked);
 
 class SupersetTree {
  public:
   // For fewer than 2^32 edges. O(n + m + edges log edges).
-  explicit SupersetTree(const Operands& operands);
+  SupersetTree(const Operands& operands, const RankedEdges& ranked);
 
   // Calls visit(edge) for superset edges, among them all that have a point in the place.
   //   place.overlapping(block): the lanes that may have one;

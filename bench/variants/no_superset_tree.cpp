@@ -7,8 +7,10 @@
 
 namespace gcv {
 
-std::uint64_t count_superset(const Operands&) { return std::numeric_limits<std::uint64_t>::max(); }
+std::uint64_t count_superset(const Operands&, const RankedEdges&) {
+  return std::numeric_limits<std::uint64_t>::max();
+}
 
-SupersetTree::SupersetTree(const Operands&) {}
+SupersetTree::SupersetTree(const Operands&, const RankedEdges&) {}
 
 }  // namespace gcv
