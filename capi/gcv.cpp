@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -175,8 +176,13 @@ gcv_outer_face* new_outer_face(const gcv::Operand& a, const gcv::Operand& b, con
   gcv::Task task(threads_of(options), options.progress, options.progress_context,
                  estimated_steps(a, b));
   task.begin();
-  std::unique_ptr<gcv_outer_face> face(new gcv_outer_face{gcv::minkowski_sum(
-      simplified(a, options), simplified(b, options), shift, rounding_of(options), task)});
+  const gcv::Operand near_a = simplified(a, options);
+  task.advance(0);
+  const gcv::Operand near_b = a.polygon == b.polygon
+                                  ? gcv::Operand{near_a.polygon, b.name, near_a.error_bound}
+                                  : simplified(b, options);
+  std::unique_ptr<gcv_outer_face> face(
+      new gcv_outer_face{gcv::minkowski_sum(near_a, near_b, shift, rounding_of(options), task)});
   task.finish();
   return face.release();
 }
@@ -255,6 +261,12 @@ class Batch {
     return steps;
   }
 
+  // A polygon of the pairs, simplified; or why it is not, which is for its pairs to say.
+  struct Part {
+    gcv::Simplified simplified;
+    std::exception_ptr failure;
+  };
+
   // Each polygon once, however many pairs it is in.
   void simplify_all(gcv::Task& task) {
     for (const gcv_polygon* const* const polygons : {a_, b_}) {
@@ -264,22 +276,30 @@ class Batch {
         }
       }
     }
-    std::vector<std::pair<const gcv_polygon* const, gcv::Simplified>*> all;
+    std::vector<std::pair<const gcv_polygon* const, Part>*> all;
     all.reserve(simplified_.size());
     for (auto& entry : simplified_) {
       all.push_back(&entry);
     }
     gcv::for_each_in_parallel(all.size(), threads_of(options_), [&](std::size_t k) {
       task.advance(0);
-      all[k]->second = simplified_for_sum(all[k]->first->polygon, options_);
+      Part& part = all[k]->second;
+      try {
+        part.simplified = simplified_for_sum(all[k]->first->polygon, options_);
+      } catch (...) {
+        part.failure = std::current_exception();
+      }
     });
   }
 
   [[nodiscard]] gcv::Operand simplified_operand(const gcv_polygon* polygon,
                                                 const char* name) const {
     require(polygon, name);
-    const gcv::Simplified& near = simplified_.find(polygon)->second;
-    return {near.polygon, name, near.error_bound};
+    const Part& part = simplified_.find(polygon)->second;
+    if (part.failure) {
+      std::rethrow_exception(part.failure);
+    }
+    return {part.simplified.polygon, name, part.simplified.error_bound};
   }
 
   // Computes pair k. Throws Error: cancelled.
@@ -313,7 +333,7 @@ class Batch {
   const gcv_options& options_;
   std::vector<std::unique_ptr<gcv_outer_face>> faces_;
   std::vector<gcv_status> statuses_;
-  std::map<const gcv_polygon*, gcv::Simplified> simplified_;
+  std::map<const gcv_polygon*, Part> simplified_;
   std::mutex mutex_;
   std::size_t first_failed_;
   Error failure_{Status::ok, "%s", ""};

@@ -267,4 +267,28 @@ std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
   return conflicts;
 }
 
+std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring) {
+  constexpr std::uint64_t looks_per_edge = 64;
+  std::vector<std::uint8_t> is_wrong(ring.size());
+  Tally tally;
+  const bool all_seen = visit_overlapping_pairs(
+      build_chain_tree(ring), looks_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
+        if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
+          is_wrong[e] = is_wrong[f] = 1;
+        }
+        return true;
+      });
+  const bool any = std::find(is_wrong.begin(), is_wrong.end(), 1) != is_wrong.end();
+  if (!all_seen && !any && Sweep(ring).run()) {
+    std::fill(is_wrong.begin(), is_wrong.end(), std::uint8_t{1});
+  }
+  std::vector<std::size_t> wrong;
+  for (std::size_t e = 0; e < ring.size(); ++e) {
+    if (is_wrong[e] != 0) {
+      wrong.push_back(e);
+    }
+  }
+  return wrong;
+}
+
 }  // namespace gcv

@@ -30,4 +30,8 @@ bool is_counter_clockwise(std::span<const Point> ring);
 // All such pairs, by a tree of boxes: fast where edges that are near each other are few.
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring);
 
+// Edges that are in such a pair, in ascending order: none just when there is no such pair; all
+// of them, unless that takes more than O(n log n), and then maybe also others.
+std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring);
+
 }  // namespace gcv

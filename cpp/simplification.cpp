@@ -5,9 +5,10 @@
 // outer side, dents between hulls by segments over them, and runs of convex vertices by the
 // point where the edges before and behind them meet.
 //
-// Distances. A chain and a path between the same ends, both of which lie within e of a
-// segment between these ends, pass every perpendicular of that segment; so where the chain
-// is within e of a segment, each is within e of the other.
+// Distances. A chain within e of the segment between its ends passes every perpendicular of
+// it, so no point of the segment is further than e from the chain. And the chain can be moved
+// to the segment, each point in a straight line and by e at most: so what is inside one of the
+// boundaries alone is within e of both.
 //
 // Containment. Every piece of the new boundary goes round the chain that it replaces on its
 // outer side, so no winding number falls; where the new boundary is simple, its inside
@@ -50,6 +51,15 @@ class ScaledRing {
     }
   }
 
+  // Of its box, width and height together: a larger tolerance allows nothing more.
+  [[nodiscard]] double extent() const {
+    const auto [x0, x1] = std::minmax_element(
+        points_.begin(), points_.end(), [](const Point& p, const Point& q) { return p.x < q.x; });
+    const auto [y0, y1] = std::minmax_element(
+        points_.begin(), points_.end(), [](const Point& p, const Point& q) { return p.y < q.y; });
+    return (x1->x - x0->x) + (y1->y - y0->y);
+  }
+
   [[nodiscard]] Index size() const { return static_cast<Index>(points_.size()); }
   [[nodiscard]] const Point& operator[](Index i) const { return points_[i == size() ? 0 : i]; }
   [[nodiscard]] double scaled(double x) const { return std::ldexp(x, -exponent_); }
@@ -72,7 +82,8 @@ double dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y; }
 double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
 // Is the scalar product, of vectors rounded once, positive?
 bool surely_ahead(const Point& p, const Point& q) {
-  return dot(p, q) > 8 * u * (std::abs(p.x * q.x) + std::abs(p.y * q.y));
+  return dot(p, q) >
+         8 * u * (std::abs(p.x * q.x) + std::abs(p.y * q.y)) + std::numeric_limits<double>::min();
 }
 Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
 
@@ -119,7 +130,7 @@ class Simplification {
       : polygon_(polygon),
         ring_(polygon.vertices),
         rounding_(rounding),
-        allowed_at_first_(ring_.scaled(tolerance)),
+        allowed_at_first_(std::min(ring_.scaled(tolerance), ring_.extent())),
         allowed_(polygon.size(), allowed_at_first_) {}
 
   // Nothing where more than so many vertices would be left.
@@ -152,8 +163,9 @@ class Simplification {
     return boundary[k == boundary.size() ? 0 : k];
   }
 
-  // Vertices that are never left out in favour of a segment, so that a triangle stays
-  // however large the tolerance is. The first is there again as the last.
+  // Vertices that are never left out in favour of a segment, so that a triangle stays however
+  // large the tolerance is, unless it is too thin for doubles. The first is there again as the
+  // last.
   [[nodiscard]] std::vector<Index> three_corners() const {
     const Index far = polygon_.lexicographic_max;
     Index widest = 0;
@@ -202,8 +214,8 @@ class Simplification {
   }
 
   // Is the chain near enough to the segment between its ends? Outward, its hull takes its
-  // place, which is as far out as the chain is and has to be near what is furthest in; half
-  // of the tolerance is left for longer edges over dents and for caps.
+  // place, which is as far out as the chain is and has to be near what is furthest in, and
+  // about half of the tolerance is left for longer edges over dents and for caps.
   [[nodiscard]] bool fits(Index i, Index j) const {
     double left = 0;
     double right = 0;
@@ -229,6 +241,17 @@ class Simplification {
       error = std::max(error, distance(ring_[k], ring_[i], ring_[j]).bound);
     }
     return {vertex(i), i, i, error, *std::min_element(allowed_.begin() + i, allowed_.begin() + j)};
+  }
+
+  // The segment from a to `end`, in place of that from a to b and the one behind b. Where
+  // these are within e of their chains and b within d of the new one, it is within e + d: the
+  // chains need not be looked at again, unless that is too much.
+  [[nodiscard]] NewVertex joined(const NewVertex& a, const NewVertex& b, Index end) const {
+    const double height = distance(ring_[b.first], ring_[a.first], ring_[end]).bound;
+    const double error = (std::max(a.error, b.error) + height) * (1 + 2 * u);
+    const double allowed = std::min(a.allowed, b.allowed);
+    return error <= allowed ? NewVertex{a.place, a.first, a.first, error, allowed}
+                            : segment(a.first, end);
   }
 
   // The outer hull of the chain from i to j, without j.
@@ -279,7 +302,7 @@ class Simplification {
         if (orientation(before.place, filled.back().place, vertex(end), tally) > 0) {
           break;
         }
-        const NewVertex longer = segment(before.first, end);
+        const NewVertex longer = joined(before, filled.back(), end);
         if (!(longer.error <= longer.allowed)) {
           settled = filled.size();
           break;
@@ -290,6 +313,10 @@ class Simplification {
       if (k < boundary.size()) {
         filled.push_back(boundary[k]);
       }
+    }
+    for (std::size_t k = 0; k < filled.size(); ++k) {  // what was joined may be nearer
+      const Index end = k + 1 == filled.size() ? polygon_.size() : filled[k + 1].first;
+      filled[k].error = std::min(filled[k].error, segment(filled[k].first, end).error);
     }
     return filled;
   }
@@ -316,9 +343,9 @@ class Simplification {
   // In place of the longest run of convex vertices behind edge i that turns by less than a
   // quarter: the point where edge i and the edge j behind the run meet.
   //
-  // The distance from the convex hull of the run is a convex function along both edges, and
-  // largest at that point; and every point of the run is the nearest one to a point of the
-  // edges. So each is as near to the other as the point is to the run.
+  // The distance from the convex hull of the run and both edges is a convex function along
+  // the new edges, and largest at that point; and every point of the run is the nearest one to
+  // a point of them. So each is as near to the other as the point is to the run.
   [[nodiscard]] std::optional<Cap> longest_cap(const Boundary& boundary, std::size_t i) const {
     const auto scaled = [&](std::size_t k) { return ring_.scaled(at(boundary, k).place); };
     const Point before = difference(scaled(i + 1), scaled(i));
@@ -408,9 +435,8 @@ class Simplification {
     if (!wrong.empty()) {
       return wrong;
     }
-    for (const Conflict& conflict : find_all_conflicts(places)) {
-      wrong.push_back(static_cast<Index>(conflict.first));
-      wrong.push_back(static_cast<Index>(conflict.second));
+    for (const std::size_t edge : find_conflicting_edges(places)) {
+      wrong.push_back(static_cast<Index>(edge));
     }
     if (wrong.empty() && !is_counter_clockwise(places)) {
       wrong.resize(boundary.size());
@@ -419,8 +445,8 @@ class Simplification {
     return wrong;
   }
 
-  // Along the chains that these edges stand for, to a quarter; where that was of no use,
-  // to 0.
+  // Along the chains that these edges stand for, to a quarter; from a hundredth of the first
+  // tolerance on, or in late rounds, to 0.
   void cut_tolerance(const Boundary& boundary, const std::vector<Index>& edges, int round) {
     const double least = round < most_rounds / 2 ? allowed_at_first_ / 100 : HUGE_VAL;
     std::vector<std::uint8_t> is_cut(allowed_.size());

@@ -55,8 +55,8 @@ class SupersetTree {
   }
 
  private:
-  // Each of at most 16 depths leaves three nodes behind when one is gone into.
-  static constexpr std::uint32_t most_nodes = 64;
+  // Each depth leaves three nodes behind when one is gone into.
+  static constexpr std::uint32_t most_nodes = 3 * ChainTree::most_depths + 1;
 
   std::vector<PairEdge> edges_;
   ChainTree tree_;
