@@ -16,18 +16,14 @@ Box join(const ChainTree::Block& block) {
   return join(join(block.box(0), block.box(1)), join(block.box(2), block.box(3)));
 }
 
-}  // namespace
-
-Box box_of(const Point& p, const Point& q) {
-  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-}
-
-ChainTree build_chain_tree(std::span<const Box> edges) {
+// The tree over so many edges, whose boxes box_of_edge(k) gives.
+template <class BoxOfEdge>
+ChainTree build(std::size_t edges, BoxOfEdge box_of_edge) {
   constexpr std::uint32_t width = ChainTree::width;
   ChainTree tree;
   std::uint32_t counts[ChainTree::most_depths];  // of the blocks, from those of edges up
   std::size_t depths = 0;
-  auto count = static_cast<std::uint32_t>(edges.size());
+  auto count = static_cast<std::uint32_t>(edges);
   do {
     count = (count + width - 1) / width;
     counts[depths++] = count;
@@ -45,7 +41,7 @@ ChainTree build_chain_tree(std::span<const Box> edges) {
       tree.blocks[first + k / width].put(k % width, k < lanes ? box(k) : nothing);
     }
   };
-  fill(tree.first_block.back(), counts[0], edges.size(), [&](std::uint32_t k) { return edges[k]; });
+  fill(tree.first_block.back(), counts[0], edges, box_of_edge);
   for (std::size_t level = 1; level < depths; ++level) {
     const std::size_t depth = depths - 1 - level;
     fill(tree.first_block[depth], counts[level], counts[level - 1],
@@ -55,13 +51,20 @@ ChainTree build_chain_tree(std::span<const Box> edges) {
   return tree;
 }
 
+}  // namespace
+
+Box box_of(const Point& p, const Point& q) {
+  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+}
+
+ChainTree build_chain_tree(std::span<const Box> edges) {
+  return build(edges.size(), [&](std::size_t k) { return edges[k]; });
+}
+
 ChainTree build_chain_tree(std::span<const Point> ring) {
-  std::vector<Box> edges;
-  edges.reserve(ring.size());
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    edges.push_back(box_of(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]));
-  }
-  return build_chain_tree(edges);
+  return build(ring.size(), [&](std::size_t k) {
+    return box_of(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]);
+  });
 }
 
 }  // namespace gcv
