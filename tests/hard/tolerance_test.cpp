@@ -31,17 +31,22 @@ double part_of(double size, double part) {
   return std::min(part * size, std::numeric_limits<double>::max());
 }
 
+void expect_kept(const Polygon& polygon, double part, std::size_t pair) {
+  const double tolerance = part_of(size_of(polygon), part);
+  for (const std::string& sentence :
+       invariants::broken_simplification(polygon, tolerance, Tolerance::GetParam().effort)) {
+    ADD_FAILURE() << "pair " << pair << ": " << sentence << "\n" << invariants::wkt(polygon);
+  }
+}
+
 TEST_P(Tolerance, IsKept) {
   const Pairs pairs = GetParam().pairs();
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [a, b] = pairs[k];
     for (const double part : tolerances) {
-      for (const Polygon& polygon : {a, b}) {
-        const double tolerance = part_of(size_of(polygon), part);
-        for (const std::string& sentence :
-             invariants::broken_simplification(polygon, tolerance, GetParam().effort)) {
-          ADD_FAILURE() << "pair " << k << ": " << sentence << "\n" << invariants::wkt(polygon);
-        }
+      expect_kept(a, part, k);
+      if (b != a) {
+        expect_kept(b, part, k);
       }
       const double tolerance = part_of(std::max(size_of(a), size_of(b)), part);
       for (const std::string& sentence :
