@@ -312,9 +312,11 @@ without a result, at the height of their resolution: refused, crashed, or out of
 has used up the time for one run is not tried at its other settings, and these are not drawn.
 <i>Contains</i>: the returned region contains the exact sum, decided exactly.</p>
 <p>libgcv is cold: both polygons are created, summed, copied out, destroyed; <i>prepared</i>: their
-handles exist, with a tolerance those of the simplified polygons. Outward rounding closes slits thinner than a few units in the last place, and is then
-incomplete by design. A tolerance bounds the distance between the sums as sets; the rings can be
-further apart where it opens or closes the entrance of a pocket. <i>Plain doubles</i> is libgcv with
+handles exist, with a tolerance those of the simplified polygons. Outward rounding closes slits
+thinner than a few units in the last place, and is then incomplete by design. A tolerance bounds
+the distance between the sums as sets; the rings can be further apart where it opens or closes the
+entrance of a pocket.
+<i>Plain doubles</i> is libgcv with
 predicates in doubles alone, which may fail. Clipper's grids have 2 to 12 decimal digits behind the
 power of ten that is next above the diameter; on those of Boost.Polygon all of the sum is within 16
 to 31 bits. CGAL and SFCGAL are exact, and their own functions convert the result to doubles.</p>
