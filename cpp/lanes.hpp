@@ -6,9 +6,6 @@
 
 #include <cstdint>
 #include <cstring>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
 namespace gcv {
 
@@ -24,13 +21,7 @@ struct LaneMask {
   }
   // Bit k is set where lane k is.
   [[nodiscard]] unsigned bits() const {
-#ifdef __SSE2__
-    const int bits = _mm_movemask_pd(reinterpret_cast<__m128d>(low)) |
-                     _mm_movemask_pd(reinterpret_cast<__m128d>(high)) << 2;
-    return static_cast<unsigned>(bits);
-#else
     return static_cast<unsigned>((low[0] & 1) | (low[1] & 2) | (high[0] & 4) | (high[1] & 8));
-#endif
   }
 };
 
