@@ -40,8 +40,9 @@ def minkowski_sum(
 
     tolerance: how far, in input units, the result may be from the exact one, but for
     the rounding: finite, from 0 on. Above 0, each polygon is first simplified by at most
-    half of it, as Polygon.simplified does; error_bound says how far the result is at
-    most. With rounding="outward" it still contains the exact sum.
+    half of it, as Polygon.simplified does, where that saves a quarter of its vertices;
+    error_bound says how far the result is at most. With rounding="outward" it still
+    contains the exact sum.
 
     threads: how many threads work on the sum; 0 is as many as the machine runs at
     once. The result is the same, to the bit, for every number.

@@ -79,8 +79,8 @@ impl<'a> Options<'a> {
 
     /// How far, in input units, the result may be from the exact one beside the rounding;
     /// finite, from 0 on. Above 0, each polygon is first simplified by at most half of it,
-    /// see [`Polygon::simplified`](crate::Polygon::simplified), and the exact ring is that
-    /// of the simplified polygons. With [`Rounding::Outward`] the result still contains the
+    /// see [`Polygon::simplified`](crate::Polygon::simplified), where that saves a quarter of
+    /// its vertices, and the exact ring is that of the simplified polygons. With [`Rounding::Outward`] the result still contains the
     /// exact sum.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
