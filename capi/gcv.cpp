@@ -17,6 +17,7 @@
 
 #include "area.hpp"
 #include "guard.hpp"
+#include "lazy.hpp"
 #include "minkowski_sum.hpp"
 #include "parallel.hpp"
 #include "polygon.hpp"
@@ -28,21 +29,16 @@ struct gcv_polygon {
   explicit gcv_polygon(std::shared_ptr<const gcv::Polygon> prepared)
       : polygon(std::move(prepared)) {}
 
-  // Made for the first no-fit polygon that needs it, and kept: seen from outside, the
-  // polygon stays as it is.
+  // Made for the first no-fit polygon that needs it, and kept.
   [[nodiscard]] std::shared_ptr<const gcv::Polygon> reflected() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (reflected_ == nullptr) {
-      reflected_ = std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon));
-    }
-    return reflected_;
+    return reflected_.get(
+        [this] { return std::make_shared<const gcv::Polygon>(gcv::reflected(*polygon)); });
   }
 
   const std::shared_ptr<const gcv::Polygon> polygon;
 
  private:
-  mutable std::mutex mutex_;
-  mutable std::shared_ptr<const gcv::Polygon> reflected_;
+  gcv::Lazy<std::shared_ptr<const gcv::Polygon>> reflected_;
 };
 
 struct gcv_outer_face {

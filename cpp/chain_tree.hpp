@@ -67,14 +67,6 @@ struct ChainTree {
   }
 };
 
-// Calls visit(lane) for every bit that is set, the lowest first.
-template <class Visit>
-void for_each_lane(unsigned lanes, Visit visit) {
-  for (; lanes != 0; lanes &= lanes - 1) {
-    visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));
-  }
-}
-
 // The lanes of the boxes that are apart from the given one. Where numbers have overflowed,
 // they are not.
 inline LaneMask apart_from(const ChainTree::Block& block, const Box& box) {

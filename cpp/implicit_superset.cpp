@@ -5,9 +5,9 @@ namespace gcv {
 
 ImplicitSuperset::ImplicitSuperset(const Operands& operands)
     : operands_(operands),
-      a_{operands.a.tree, operands.a.capsules,
+      a_{operands.a.index().tree, operands.a.index().capsules,
          node_sectors(operands.a, operands.directions.rank_a)},
-      b_{operands.b.tree, operands.b.capsules,
+      b_{operands.b.index().tree, operands.b.index().capsules,
          node_sectors(operands.b, operands.directions.rank_b)} {}
 
 // Sector numbers grow with ranks, so a rank in the range lies in one of them.
@@ -23,8 +23,9 @@ Sectors ImplicitSuperset::sectors(Rank first, Rank last) const {
 std::vector<ImplicitSuperset::SectorBlock> ImplicitSuperset::node_sectors(
     const Polygon& polygon, const std::vector<Rank>& ranks) const {
   constexpr std::uint32_t width = ChainTree::width;
-  const std::vector<std::uint32_t>& first_block = polygon.tree.first_block;
-  std::vector<SectorBlock> result(polygon.tree.blocks.size());
+  const ChainTree& tree = polygon.index().tree;
+  const std::vector<std::uint32_t>& first_block = tree.first_block;
+  std::vector<SectorBlock> result(tree.blocks.size());
   for (Index i = 0; i < polygon.size(); ++i) {
     SectorBlock& block = result[first_block.back() + i / width];
     block.edges[i % width] = sectors(ranks[i], ranks[i]);

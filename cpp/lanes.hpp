@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Four numbers side by side, as two vectors of two, which all common machines have
-// instructions for: each operation is that of four separate numbers, to the bit.
+// Four doubles or eight floats side by side, as two vectors of 16 bytes, which all common
+// machines have instructions for: each operation is that of separate numbers, to the bit.
 #pragma once
 
+#include <bit>
 #include <cstdint>
 #include <cstring>
 
@@ -65,6 +66,57 @@ struct Lanes {
   friend Lanes larger(const Lanes& p, const Lanes& q) {
     return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
   }
+};
+
+// Calls visit(lane) for every bit that is set, the lowest first.
+template <class Visit>
+void for_each_lane(unsigned lanes, Visit visit) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));
+  }
+}
+
+using FourFloats [[gnu::vector_size(16)]] = float;
+using FourMasks [[gnu::vector_size(16)]] = std::int32_t;
+
+struct EightMask {
+  FourMasks low;
+  FourMasks high;
+
+  friend EightMask operator|(const EightMask& p, const EightMask& q) {
+    return {p.low | q.low, p.high | q.high};
+  }
+  // Bit k is set where lane k is.
+  [[nodiscard]] unsigned bits() const {
+    constexpr FourMasks low_bits{1, 2, 4, 8};
+    constexpr FourMasks high_bits{16, 32, 64, 128};
+    const FourMasks all = (low & low_bits) | (high & high_bits);
+    std::uint64_t halves[2];
+    std::memcpy(halves, &all, sizeof all);
+    const std::uint64_t both = halves[0] | halves[1];
+    return static_cast<unsigned>(both | both >> 32U);
+  }
+};
+
+struct EightLanes {
+  static constexpr std::uint32_t width = 8;
+  static constexpr unsigned all = 255;
+
+  FourFloats low;
+  FourFloats high;
+
+  static EightLanes load(const float* numbers) {
+    EightLanes lanes;
+    std::memcpy(&lanes, numbers, sizeof lanes);
+    return lanes;
+  }
+
+  friend EightLanes operator-(const EightLanes& p, const EightLanes& q) {
+    return {p.low - q.low, p.high - q.high};
+  }
+  friend EightLanes operator*(float x, const EightLanes& q) { return {x * q.low, x * q.high}; }
+  friend EightMask operator<(const EightLanes& p, float x) { return {p.low < x, p.high < x}; }
+  friend EightMask operator>(const EightLanes& p, float x) { return {p.low > x, p.high > x}; }
 };
 
 }  // namespace gcv

@@ -28,6 +28,7 @@
 #include <tuple>
 
 #include "convex_sum.hpp"
+#include "doubled.hpp"
 #include "error.hpp"
 #include "hull.hpp"
 #include "implicit_superset.hpp"
@@ -39,8 +40,6 @@
 namespace gcv {
 
 namespace {
-
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 // A point on a superset edge: the sum of the vertices i and j, or else the crossing with
 // `crossing`, whose parameter on the edge is enclosed by `parameter`.
@@ -101,7 +100,7 @@ class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
     const RankedEdges ranked(operands.directions);
-    if (count_superset(operands, ranked) <= few_edges) {
+    if (count_superset(operands, ranked) <= SupersetTree::most_edges) {
       tree_.emplace(operands, ranked);
     } else {
       implicit_.emplace(operands);
@@ -113,8 +112,6 @@ class Superset {
   [[nodiscard]] const std::optional<ImplicitSuperset>& implicit() const { return implicit_; }
 
  private:
-  static constexpr std::uint64_t few_edges = 1024;
-
   const Operands& operands_;
   std::optional<SupersetTree> tree_;
   std::optional<ImplicitSuperset> implicit_;
@@ -281,9 +278,9 @@ class Walker {
     const Point end = relative_on(s, 1);
     if (superset_.tree()) {
       Step step;
-      search(s, place, from, 1, end, step, [&](const Piece& piece, const auto& visit) {
-        superset_.tree()->search(piece, visit);
-      });
+      SupersetTree::Piece piece(*superset_.tree(), s.at, relative(s.edge.i, s.edge.j), from, end);
+      search(s, place, 1, end, step, piece,
+             [&](const auto& visit) { superset_.tree()->search(piece, visit); });
       return step;
     }
     const double length = std::max(std::abs(end.x - from.x), std::abs(end.y - from.y));
@@ -311,7 +308,9 @@ class Walker {
       const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
       const bool is_last = !(parameter + stride < limit);
       parameter = is_last ? limit : parameter + stride;
-      search(s, place, from, parameter, end, step, [&](Piece& piece, const auto& visit) {
+      const Point to = parameter < 1 ? relative_on(s, parameter) : end;
+      Piece piece(s.at, relative(s.edge.i, s.edge.j), from, to, slack_);
+      search(s, place, parameter, end, step, piece, [&](const auto& visit) {
         implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
       });
       if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
@@ -325,14 +324,12 @@ class Walker {
     return step;
   }
 
-  // Considers the edges that have a point in the piece of s from `from` up to the parameter.
-  // in_superset(piece, visit) calls visit(edge) for them; the piece ends with the first event.
-  template <class InSuperset>
-  void search(const Line& s, const Place& place, const Point& from, double parameter,
-              const Point& end, Step& step, InSuperset in_superset) {
-    const Point to = parameter < 1 ? relative_on(s, parameter) : end;
-    Piece piece(s.at, relative(s.edge.i, s.edge.j), from, to, slack_);
-    in_superset(piece, [&](const PairEdge& e) {
+  // Considers the edges that have a point in the piece of s up to the parameter: in_superset(visit)
+  // calls visit(edge) for them. The piece ends with the first event.
+  template <class Piece, class InSuperset>
+  void search(const Line& s, const Place& place, double parameter, const Point& end, Step& step,
+              Piece& piece, InSuperset in_superset) {
+    in_superset([&](const PairEdge& e) {
       if (consider(s, place, end, e, step) && step.event->place.parameter.hi < parameter) {
         piece.shorten(relative_on(s, clamp_to_unit(step.event->place.parameter.hi)));
       }

@@ -48,21 +48,8 @@ class Piece {
             dx_ * (dx_ > 0 ? box.y1 : box.y0) - dy_ * (dy_ > 0 ? box.x0 : box.x1)};
   }
 
-  // The lanes whose boxes reach that of the piece, and the line of s or both of its sides.
-  [[nodiscard]] unsigned overlapping(const ChainTree::Block& block) const {
-    const Lanes x_low = Lanes::load(dy_ > 0 ? block.x0 : block.x1);
-    const Lanes x_high = Lanes::load(dy_ > 0 ? block.x1 : block.x0);
-    const Lanes y_low = Lanes::load(dx_ > 0 ? block.y0 : block.y1);
-    const Lanes y_high = Lanes::load(dx_ > 0 ? block.y1 : block.y0);
-    const LaneMask apart = apart_from(block, box_) |
-                           (dx_ * y_high - dy_ * x_low < offset_ - tolerance_) |
-                           (dx_ * y_low - dy_ * x_high > offset_ + tolerance_);
-    return ~apart.bits() & ChainTree::all_lanes;
-  }
-
-  [[nodiscard]] bool ascends() const { return std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0; }
-
-  // The same for the sums with another node.
+  // The lanes whose sums with the other node reach the box of the piece, and the line of s or
+  // both of its sides.
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
             ImplicitSuperset::Look& look) const {
     const CapsuleBlock& capsules = block.capsules;

@@ -11,11 +11,18 @@
 
 #include "capsules.hpp"
 #include "chain_tree.hpp"
+#include "lazy.hpp"
 #include "point.hpp"
 
 namespace gcv {
 
 using Index = std::uint32_t;
+
+// What finds the edges of a polygon that are near a place.
+struct ChainIndex {
+  ChainTree tree;
+  std::vector<CapsuleBlock> capsules;
+};
 
 struct Polygon {
   // The ring: counter-clockwise, from the lexicographically smallest vertex, without
@@ -41,8 +48,6 @@ struct Polygon {
   // The vertices relative to vertex 0, rounded: what searches prune with, far from the
   // origin as well as near it. Each coordinate is off by at most u times its size.
   std::vector<Point> relative;
-  ChainTree tree;  // over `relative`
-  std::vector<CapsuleBlock> capsules;
   Box bounds{};
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;
@@ -50,6 +55,12 @@ struct Polygon {
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices.size()); }
   [[nodiscard]] Index next(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   [[nodiscard]] Index previous(Index i) const { return (i == 0 ? size() : i) - 1; }
+
+  // Over `relative`. Sums with few superset edges do without.
+  [[nodiscard]] const ChainIndex& index() const;
+
+ private:
+  Lazy<ChainIndex> index_;
 };
 
 // The polygon with the given boundary: either orientation, closed or not, repeated and
@@ -58,7 +69,7 @@ struct Polygon {
 Polygon make_polygon(std::span<const Point> boundary, const char* name);
 
 // -P = { -p : p in P }, with the same numbers. Every line direction stays, every edge
-// points the other way; what was prepared is carried over. O(n).
+// points the other way. O(n).
 Polygon reflected(const Polygon& polygon);
 
 }  // namespace gcv

@@ -13,14 +13,15 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 
+#include "doubled.hpp"
 #include "exact_predicates.hpp"
 
 namespace gcv {
 
 namespace {
 
-constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 constexpr double cross_error = 8 * unit_roundoff;
 constexpr double underflow_error = 8 * std::numeric_limits<double>::denorm_min();
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -60,6 +61,30 @@ bool certain(const Approximation& a) { return std::abs(a.value) > a.error; }
 
 int sign_of(double x) { return (x > 0) - (x < 0); }
 
+// The sign of v x w, as doubled_cross; nothing where it is too close, or out of range.
+//
+// On grids of few bits, where most ties are, all are doubles, and of two products that round
+// differently, or else of their errors, the larger decides: rounding is monotonic.
+std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy,
+                                const DoubledNumber& wx, const DoubledNumber& wy) {
+  if (vx.is_double() && vy.is_double() && wx.is_double() && wy.is_double()) {
+    const double left = vx.head * wy.head;
+    const double right = vy.head * wx.head;
+    if (left != right) {
+      return sign_of(left - right);
+    }
+    if ((vx.head == 0 || wy.head == 0) && (vy.head == 0 || wx.head == 0)) {
+      return 0;
+    }
+    if (!(std::abs(left) >= 0x1p-900 && std::abs(left) <= 0x1p1000)) {
+      return std::nullopt;
+    }
+    return sign_of(std::fma(vx.head, wy.head, -left) - std::fma(vy.head, wx.head, -right));
+  }
+  const DoubledCross cross = doubled_cross(vx, vy, wx, wy);
+  return std::abs(cross.head) > cross.error ? std::optional(sign_of(cross.head)) : std::nullopt;
+}
+
 }  // namespace
 
 int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
@@ -68,6 +93,11 @@ int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tal
   if (certain(approximation)) {
     ++tally.filtered;
     return sign_of(approximation.value);
+  }
+  if (const auto sign = doubled_sign(doubled_sum(p1.x, -p0.x), doubled_sum(p1.y, -p0.y),
+                                     doubled_sum(q1.x, -q0.x), doubled_sum(q1.y, -q0.y))) {
+    ++tally.fixed_width;
+    return *sign;
   }
   return exact::turn(p0, p1, q0, q1, tally);
 }
@@ -82,6 +112,14 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
     ++tally.filtered;
     return sign_of(approximation.value);
   }
+  const SumPoint& o = s.origin;
+  if (const auto sign =
+          doubled_sign(doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y),
+                       doubled_sum(point.a.x, -o.a.x) + doubled_sum(point.b.x, -o.b.x),
+                       doubled_sum(point.a.y, -o.a.y) + doubled_sum(point.b.y, -o.b.y))) {
+    ++tally.fixed_width;
+    return *sign;
+  }
   return exact::side(s, point, tally);
 }
 
@@ -95,11 +133,7 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
     if (first != second) {
       return sign_of(first - second);
     }
-    const auto error = [](double x, double y, double sum) {
-      const double y_part = sum - x;
-      return (x - (sum - y_part)) + (y - y_part);
-    };
-    return sign_of(error(a, b, first) - error(c, d, second));
+    return sign_of(rounding_error(a, b, first) - rounding_error(c, d, second));
   }
   return exact::compare_sums(a, b, c, d, tally);
 }

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "doubled_rounding.hpp"
 #include "error.hpp"
 #include "exact_coordinates.hpp"
 #include "parallel.hpp"
@@ -19,26 +20,19 @@ namespace gcv {
 
 namespace {
 
-struct RoundedVertex {
-  RoundedNumber x;
-  RoundedNumber y;
-};
-
-// A sum of two doubles is correctly rounded by adding them; TwoSum tells the error.
-RoundedNumber rounded_sum(double a, double b) {
-  const double sum = a + b;
-  const double b_part = sum - a;
-  const double error = (a - (sum - b_part)) + (b - b_part);
-  return {sum + 0.0, error == 0};
-}
-
 RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
-  const ExactVertex vertex(ring, k);
-  if (vertex.is_sum() && ring.shift == Point{0, 0}) {
+  const Polygon& a = *ring.a.polygon;
+  const Polygon& b = *ring.b.polygon;
+  const RingVertex& v = ring.vertices[k];
+  const std::optional<RoundedVertex> in_doubles =
+      v.is_sum ? rounded_sum({a.vertices[v.i], b.vertices[v.j]}, ring.shift)
+               : rounded_crossing(coordinates(a, b, ring.arriving[k]),
+                                  coordinates(a, b, ring.leaving[k]), ring.shift);
+  if (in_doubles) {
     ++tally.filtered;
-    return {rounded_sum(vertex.sum().a.x, vertex.sum().b.x),
-            rounded_sum(vertex.sum().a.y, vertex.sum().b.y)};
+    return *in_doubles;
   }
+  const ExactVertex vertex(ring, k);
   const int exponent = vertex.grid().exponent();
   return with_integers(rounding_bits(vertex.bits()), tally, [&]<class Integer>() {
     const auto p = vertex.homogeneous<Integer>();

@@ -2,6 +2,11 @@
 #include "superset_tree.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
 
 namespace gcv {
 
@@ -15,46 +20,90 @@ std::uint64_t count_contributions(const EdgesByRank& edges, const Polygon& polyg
   return count;
 }
 
-// Points in the order of a Z-shaped curve (Morton, 1966), in which neighbours are near.
+// The cells of a grid in the order of a Z-shaped curve (Morton, 1966), in which neighbours are
+// near, over numbers from -1 to 1; about as many as there are edges.
 class ZOrder {
  public:
-  explicit ZOrder(const Box& box)
-      : box_(box), cells_x_(cells / (box.x1 - box.x0)), cells_y_(cells / (box.y1 - box.y0)) {}
+  explicit ZOrder(std::size_t edges)
+      : bits_((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2) {}
 
-  [[nodiscard]] std::uint32_t key(const Point& p) const {
-    return spread(cell((p.x - box_.x0) * cells_x_)) | spread(cell((p.y - box_.y0) * cells_y_))
-                                                          << 1U;
+  [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (2 * bits_); }
+  [[nodiscard]] std::uint32_t cell(float x, float y) const {
+    return spread(coordinate(x)) | spread(coordinate(y)) << 1U;
   }
 
  private:
-  static constexpr double cells = 65535;
-
-  // Where numbers have overflowed, any order will do.
-  static std::uint32_t cell(double x) {
-    return x > 0 && x <= cells ? static_cast<std::uint32_t>(x) : 0;
+  // Where numbers have overflowed, any will do.
+  [[nodiscard]] std::uint32_t coordinate(float x) const {
+    const auto cells = static_cast<float>(1U << bits_);
+    const float place = (x + 1) / 2 * cells;
+    return place > 0 ? static_cast<std::uint32_t>(std::min(place, cells - 1)) : 0;
   }
-  // The bits of a number below 2^16, with zeros between them.
+  // The bits of a number below 2^8, with zeros between them.
   static std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 8U) & 0x00ff00ffU;
-    x = (x | x << 4U) & 0x0f0f0f0fU;
-    x = (x | x << 2U) & 0x33333333U;
-    return (x | x << 1U) & 0x55555555U;
+    x = (x | x << 4U) & 0x0f0fU;
+    x = (x | x << 2U) & 0x3333U;
+    return (x | x << 1U) & 0x5555U;
   }
 
-  Box box_;
-  double cells_x_;
-  double cells_y_;
+  unsigned bits_;
 };
 
-Point sum(const Point& p, const Point& q) { return {p.x + q.x, p.y + q.y}; }
+struct FloatBox {
+  float sides[4];  // in the order of SupersetTree::Block
+};
 
-Box box_of_edge(const Operands& operands, const PairEdge& e) {
+constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr FloatBox nothing{{infinity, infinity, -infinity, -infinity}};
+constexpr FloatBox everything{{-infinity, -infinity, infinity, infinity}};
+
+struct BoxedEdge {
+  PairEdge edge;
+  FloatBox box;
+  std::uint32_t cell;
+};
+
+FloatBox box_of_edge(const Operands& operands, const PairEdge& e, double scale) {
   const Polygon& a = operands.a;
   const Polygon& b = operands.b;
   const bool translated = e.kind == PairEdge::translated;
-  return box_of(
-      sum(a.relative[e.i], b.relative[e.j]),
-      sum(a.relative[translated ? a.next(e.i) : e.i], b.relative[translated ? e.j : b.next(e.j)]));
+  const Point& from_a = a.relative[e.i];
+  const Point& from_b = b.relative[e.j];
+  const Point& to_a = a.relative[translated ? a.next(e.i) : e.i];
+  const Point& to_b = b.relative[translated ? e.j : b.next(e.j)];
+  const auto x0 = static_cast<float>((from_a.x + from_b.x) * scale);
+  const auto y0 = static_cast<float>((from_a.y + from_b.y) * scale);
+  const auto x1 = static_cast<float>((to_a.x + to_b.x) * scale);
+  const auto y1 = static_cast<float>((to_a.y + to_b.y) * scale);
+  const float size = std::abs(x0) + std::abs(y0) + std::abs(x1) + std::abs(y1);
+  return size <= 4
+             ? FloatBox{{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)}}
+             : everything;  // numbers have overflowed
+}
+
+void put(SupersetTree::Block& block, std::uint32_t lane, const FloatBox& box) {
+  for (unsigned side = 0; side < 4; ++side) {
+    block.sides[side][lane] = box.sides[side];
+  }
+}
+
+FloatBox join(const SupersetTree::Block& block) {
+  const auto& sides = block.sides;
+  FloatBox box{{sides[0][0], sides[1][0], sides[2][0], sides[3][0]}};
+  for (std::uint32_t lane = 1; lane < EightLanes::width; ++lane) {
+    box = {{std::min(box.sides[0], sides[0][lane]), std::min(box.sides[1], sides[1][lane]),
+            std::max(box.sides[2], sides[2][lane]), std::max(box.sides[3], sides[3][lane])}};
+  }
+  return box;
+}
+
+// A power of two by which the extents of the sum become 1 at most, and above 1/4 unless they are
+// next to nothing; 0 where they have overflowed.
+double scale_of(const Operands& operands) {
+  const Box& a = operands.a.bounds;
+  const Box& b = operands.b.bounds;
+  const double extents = std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0));
+  return std::isfinite(extents) ? std::ldexp(1.0, -std::max(std::ilogb(extents), -1000) - 1) : 0;
 }
 
 }  // namespace
@@ -64,39 +113,58 @@ std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked
          count_contributions(ranked.b, operands.a, operands.directions.rank_a);
 }
 
-SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked) {
-  std::vector<PairEdge> edges;
-  edges.reserve(count_superset(operands, ranked));
+SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked)
+    : scale_(scale_of(operands)) {
+  const std::size_t size = count_superset(operands, ranked);
+  const ZOrder order(size);
+  std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
+  std::vector<BoxedEdge> edges;
+  edges.reserve(size);
+  const auto add = [&](const PairEdge& edge) {
+    const FloatBox box = box_of_edge(operands, edge, scale_);
+    const std::uint32_t cell =
+        order.cell((box.sides[0] + box.sides[2]) / 2, (box.sides[1] + box.sides[3]) / 2);
+    ++places[cell + 1];
+    edges.push_back({edge, box, cell});
+  };
   for_each_cone(operands.b, operands.directions.rank_b, [&](Index j, Rank in, Rank out) {
-    ranked.a.for_each(in, out, [&](Index i) { edges.push_back({PairEdge::translated, i, j}); });
+    ranked.a.for_each(in, out, [&](Index i) { add({PairEdge::translated, i, j}); });
   });
   for_each_cone(operands.a, operands.directions.rank_a, [&](Index i, Rank in, Rank out) {
-    ranked.b.for_each(in, out, [&](Index j) { edges.push_back({PairEdge::corner, i, j}); });
+    ranked.b.for_each(in, out, [&](Index j) { add({PairEdge::corner, i, j}); });
   });
-  const Box& box_a = operands.a.tree.box;
-  const Box& box_b = operands.b.tree.box;
-  const ZOrder order(
-      {box_a.x0 + box_b.x0, box_a.y0 + box_b.y0, box_a.x1 + box_b.x1, box_a.y1 + box_b.y1});
-  std::vector<Box> boxes;
-  std::vector<std::uint64_t> keys;  // with the number of the edge
-  boxes.reserve(edges.size());
-  keys.reserve(edges.size());
-  for (std::size_t k = 0; k < edges.size(); ++k) {
-    const Box box = box_of_edge(operands, edges[k]);
-    boxes.push_back(box);
-    const Point middle{box.x0 + (box.x1 - box.x0) / 2, box.y0 + (box.y1 - box.y0) / 2};
-    keys.push_back(std::uint64_t{order.key(middle)} << 32U | k);
+  std::partial_sum(places.begin(), places.end(), places.begin());
+
+  constexpr std::uint32_t width = EightLanes::width;
+  std::uint32_t counts[most_levels];  // of blocks, from those of edges up
+  auto count = static_cast<std::uint32_t>(size);
+  levels_ = 0;
+  do {
+    count = (count + width - 1) / width;
+    counts[levels_++] = count;
+  } while (count > 1);
+  first_block_[0] = 0;
+  for (std::uint32_t level = 0; level < levels_; ++level) {
+    first_block_[level + 1] = first_block_[level] + counts[levels_ - 1 - level];
   }
-  std::sort(keys.begin(), keys.end());
-  std::vector<Box> ordered;
-  ordered.reserve(edges.size());
-  edges_.reserve(edges.size());
-  for (const std::uint64_t key : keys) {
-    const std::uint64_t k = key & 0xffffffffU;
-    edges_.push_back(edges[k]);
-    ordered.push_back(boxes[k]);
+  blocks_.resize(first_block_[levels_]);
+  edges_.resize(size);
+  Block* const leaves = &blocks_[first_block_[levels_ - 1]];
+  for (const BoxedEdge& e : edges) {
+    const std::uint32_t place = places[e.cell]++;
+    edges_[place] = e.edge;
+    put(leaves[place / width], place % width, e.box);
   }
-  tree_ = build_chain_tree(ordered);
+  for (auto k = static_cast<std::uint32_t>(size); k % width != 0; ++k) {
+    put(leaves[k / width], k % width, nothing);
+  }
+  for (std::uint32_t level = levels_ - 1; level-- > 0;) {
+    const std::uint32_t children = counts[levels_ - 2 - level];
+    for (std::uint32_t k = 0; k < width * counts[levels_ - 1 - level]; ++k) {
+      put(blocks_[first_block_[level] + k / width], k % width,
+          k < children ? join(blocks_[first_block_[level + 1] + k]) : nothing);
+    }
+  }
 }
 
 }  // namespace gcv

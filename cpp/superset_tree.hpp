@@ -5,12 +5,14 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
-#include "chain_tree.hpp"
 #include "contributing_vertices.hpp"
 #include "contributions.hpp"
+#include "lanes.hpp"
+#include "point.hpp"
 
 namespace gcv {
 
@@ -19,47 +21,130 @@ std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked
 
 class SupersetTree {
  public:
-  // For fewer than 2^32 edges. O(n + m + edges log edges).
+  static constexpr std::uint64_t most_edges = 16384;
+
+  // For most_edges at most. O(n + m + edges).
   SupersetTree(const Operands& operands, const RankedEdges& ranked);
 
-  // Calls visit(edge) for superset edges, among them all that have a point in the place.
-  //   place.overlapping(block): the lanes that may have one;
-  //   place.ascends(): are those with larger coordinates to come last?
-  template <class Place, class Visit>
-  void search(const Place& place, Visit visit) const {
-    const auto last = static_cast<std::uint32_t>(tree_.first_block.size() - 1);
-    ChainTree::Node stack[most_nodes];
+  // The boxes of the children of one node, in units of `unit`. Those that are missing hold no
+  // point.
+  struct Block {
+    enum Side : std::uint8_t { x_low, y_low, x_high, y_high };
+    float sides[4][EightLanes::width];
+
+    [[nodiscard]] EightLanes lanes(Side side) const { return EightLanes::load(sides[side]); }
+  };
+
+  // A piece of an edge, from `from` to `to` in relative coordinates, as a place to search.
+  //
+  // The unit is a power of two from the extents of the sum on: in it, all coordinates are 1 at
+  // most. With v = 2^-24, half the distance from 1 to the next float: a side of a box is off by
+  // v, as is an end of the piece, and `slack` is 16v. The direction of the edge, its larger part
+  // being 1, is off by v, so that an offset from its line, at most 2 away, is off by 2v for the
+  // direction, 2v for the point and 8v for products and sums; `slack` is more.
+  class Piece {
+   public:
+    Piece(const SupersetTree& tree, const SumEdge& s, const Point& origin, const Point& from,
+          const Point& to)
+        : scale_(tree.scale_), from_(from) {
+      const double size = std::max(std::abs(s.dx), std::abs(s.dy));
+      dx_ = static_cast<float>(s.dx / size);
+      dy_ = static_cast<float>(s.dy / size);
+      offset_ =
+          static_cast<float>(double{dx_} * (origin.y * scale_) - double{dy_} * (origin.x * scale_));
+      near_x_ = dy_ > 0 ? Block::x_low : Block::x_high;
+      far_x_ = dy_ > 0 ? Block::x_high : Block::x_low;
+      near_y_ = dx_ > 0 ? Block::y_low : Block::y_high;
+      far_y_ = dx_ > 0 ? Block::y_high : Block::y_low;
+      shorten(to);
+    }
+
+    void shorten(const Point& to) {
+      x_low_ = scaled(std::min(from_.x, to.x)) - slack;
+      y_low_ = scaled(std::min(from_.y, to.y)) - slack;
+      x_high_ = scaled(std::max(from_.x, to.x)) + slack;
+      y_high_ = scaled(std::max(from_.y, to.y)) + slack;
+    }
+
+    // The lanes whose boxes reach that of the piece, and the line of the edge or both of its
+    // sides.
+    [[nodiscard]] unsigned overlapping(const Block& block) const {
+      const EightLanes offset_high = dx_ * block.lanes(far_y_) - dy_ * block.lanes(near_x_);
+      const EightLanes offset_low = dx_ * block.lanes(near_y_) - dy_ * block.lanes(far_x_);
+      const EightMask apart =
+          (block.lanes(Block::x_low) > x_high_) | (block.lanes(Block::x_high) < x_low_) |
+          (block.lanes(Block::y_low) > y_high_) | (block.lanes(Block::y_high) < y_low_) |
+          (offset_high < offset_ - slack) | (offset_low > offset_ + slack);
+      return ~apart.bits() & EightLanes::all;
+    }
+
+    // Are boxes with larger coordinates to come last?
+    [[nodiscard]] bool ascends() const { return std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0; }
+
+   private:
+    static constexpr float slack = 0x1p-20F;
+
+    [[nodiscard]] float scaled(double x) const { return static_cast<float>(x * scale_); }
+
+    double scale_;
+    Point from_;
+    float dx_;
+    float dy_;
+    float offset_;  // of the line of the edge, from the relative origin
+    float x_low_ = 0;
+    float y_low_ = 0;
+    float x_high_ = 0;
+    float y_high_ = 0;
+    Block::Side near_x_;  // where the offsets are largest
+    Block::Side far_x_;
+    Block::Side near_y_;
+    Block::Side far_y_;
+  };
+
+  // Calls visit(edge) for superset edges, among them all that have a point in the piece, which
+  // visit() may shorten.
+  template <class Visit>
+  void search(const Piece& piece, Visit visit) const {
+    Node stack[most_levels * EightLanes::width];
     stack[0] = {0, 0};
     for (std::uint32_t count = 1; count > 0;) {
-      const ChainTree::Node node = stack[--count];
-      const unsigned lanes = place.overlapping(tree_.blocks[tree_.block_below(node)]);
-      const std::size_t siblings =
-          node.depth == last ? edges_.size() : tree_.nodes_of_depth(node.depth + 1);
+      const Node node = stack[--count];
+      unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]);
+      const std::uint32_t children = EightLanes::width * node.index;
+      if (node.level + 1 == levels_) {
+        // Missing ones overlap where numbers have overflowed.
+        for_each_lane(lanes, [&](std::uint32_t lane) {
+          if (children + lane < edges_.size()) {
+            visit(edges_[children + lane]);
+          }
+        });
+        continue;
+      }
       const std::uint32_t first = count;
       for_each_lane(lanes, [&](std::uint32_t lane) {
-        const ChainTree::Node child = ChainTree::child(node, lane);
-        // Missing ones overlap where numbers have overflowed.
-        if (child.index >= siblings) {
-          return;
-        }
-        if (node.depth == last) {
-          visit(edges_[child.index]);
-        } else {
-          stack[count++] = child;
+        if (children + lane < first_block_[node.level + 2] - first_block_[node.level + 1]) {
+          stack[count++] = {node.level + 1, children + lane};
         }
       });
-      if (place.ascends()) {
+      if (piece.ascends()) {
         std::reverse(stack + first, stack + count);
       }
     }
   }
 
  private:
-  // Each depth leaves three nodes behind when one is gone into.
-  static constexpr std::uint32_t most_nodes = 3 * ChainTree::most_depths + 1;
+  static constexpr std::uint32_t most_levels = 5;
 
-  std::vector<PairEdge> edges_;
-  ChainTree tree_;
+  struct Node {
+    std::uint32_t level;
+    std::uint32_t index;
+  };
+
+  double scale_;                                // one by the unit
+  std::vector<PairEdge> edges_;                 // in the order of the boxes of the last level
+  std::vector<Block> blocks_;                   // from the root's to those of edges
+  std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
+  std::uint32_t levels_;
 };
 
 }  // namespace gcv

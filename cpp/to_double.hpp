@@ -9,14 +9,10 @@
 #include <cstdint>
 #include <utility>
 
+#include "doubled_rounding.hpp"
 #include "exact_numbers.hpp"
 
 namespace gcv {
-
-struct RoundedNumber {
-  double value;  // infinite where no finite double is nearest
-  bool exact;
-};
 
 inline int bit_length(Int128 value) {
   const auto high = static_cast<std::uint64_t>(value >> 64);

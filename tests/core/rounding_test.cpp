@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "area.hpp"
+#include "doubled_rounding.hpp"
 #include "error.hpp"
 #include "generators.hpp"
 #include "minkowski_sum.hpp"
@@ -72,6 +73,84 @@ TEST(NearestDouble, OverflowsToInfinity) {
   EXPECT_EQ(nearest_double(BigInteger(1), BigInteger(1), 1024).value, HUGE_VAL);
   EXPECT_EQ(nearest_double(BigInteger(-3), BigInteger(1), 1023).value, -HUGE_VAL);
   EXPECT_EQ(nearest_double(Int128{1}, Int128{1}, 1023).value, std::ldexp(1.0, 1023));
+}
+
+// Edges of all directions, some as good as parallel, some parallel to an axis, on a grid or not.
+class Crossings {
+ public:
+  explicit Crossings(Random& random) : random_(random) {}
+
+  SumEdge edge(const Point& direction) {
+    const SumPoint origin{{number(), number()}, {number(), number()}};
+    const Point to{origin.a.x + direction.x, origin.a.y + direction.y};
+    return {origin, origin.a, to, to.x - origin.a.x, to.y - origin.a.y};
+  }
+  Point direction() {
+    const int axis = test::uniform(random_, 0, 9);
+    return {axis == 0 ? 0 : number(), axis == 1 ? 0 : number()};
+  }
+  Point near(const Point& direction) {
+    const double distance = std::ldexp(1.0, -test::uniform(random_, 0, 60));
+    return {0.75 * direction.x + distance * number(), 0.75 * direction.y + distance * number()};
+  }
+  double number() {
+    const double integer = test::uniform(random_, -1000, 1000);
+    return test::uniform(random_, 0, 3) == 0 ? integer : integer / 7;
+  }
+
+ private:
+  Random& random_;
+};
+
+TEST(RoundedCrossing, IsNearestWhereItIsCertain) {
+  Random random(33);
+  Crossings crossings(random);
+  constexpr int tries = 100000;
+  int certain = 0;
+  int exact = 0;
+  for (int k = 0; k < tries; ++k) {
+    const Point direction = crossings.direction();
+    const SumEdge s = crossings.edge(direction);
+    const SumEdge t =
+        crossings.edge(k % 2 == 0 ? crossings.near(direction) : crossings.direction());
+    const Point shift{k % 3 == 0 ? crossings.number() : 0, 0};
+    const auto rounded = rounded_crossing(s, t, shift);
+    Grid grid{shift};
+    grid.include(s);
+    grid.include(t);
+    const auto p = crossing<BigInteger>(grid, s, t, shift);
+    if (!rounded || p.w == 0) {
+      continue;
+    }
+    ++certain;
+    exact += rounded->x.exact ? 1 : 0;
+    const RoundedNumber x = nearest_double(p.x, p.w, grid.exponent());
+    const RoundedNumber y = nearest_double(p.y, p.w, grid.exponent());
+    ASSERT_EQ(rounded->x.value, x.value);
+    ASSERT_EQ(rounded->y.value, y.value);
+    ASSERT_EQ(rounded->x.exact, x.exact);
+    ASSERT_EQ(rounded->y.exact, y.exact);
+  }
+  EXPECT_GT(certain, tries / 2);
+  EXPECT_GT(exact, tries / 50);
+}
+
+TEST(RoundedCrossing, IsNotCertainWhereParametersAreOutOfRange) {
+  Random random(34);
+  for (int k = 0; k < 20000; ++k) {
+    test::Attack attack(random);
+    const SumEdge s = attack.edge();
+    const SumEdge t = attack.edge();
+    Grid grid;
+    grid.include(s);
+    grid.include(t);
+    const auto rounded = rounded_crossing(s, t, {0, 0});
+    const auto p = crossing<BigInteger>(grid, s, t, {0, 0});
+    if (rounded && p.w != 0) {
+      ASSERT_EQ(rounded->x.value, nearest_double(p.x, p.w, grid.exponent()).value);
+      ASSERT_EQ(rounded->y.value, nearest_double(p.y, p.w, grid.exponent()).value);
+    }
+  }
 }
 
 Rational fraction(const std::string& text) { return Rational(text); }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Numbers as sums of two doubles, which hold twice the digits: for what one double leaves
+// open, before integers are needed. u = 2^-53 is half the distance from 1 to the next double.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+namespace gcv {
+
+constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
+
+// What rounding took from `sum`, the double nearest to x + y (TwoSum; Knuth, The Art of
+// Computer Programming, volume 2, section 4.2.2): a double, exactly. NaN on overflow.
+inline double rounding_error(double x, double y, double sum) {
+  const double y_part = sum - x;
+  return (x - (sum - y_part)) + (y - y_part);
+}
+
+// head + tail, which is off by at most 5u^2 size; not at all where `is_exact`.
+struct DoubledNumber {
+  double head;
+  double tail;
+  double size;  // at least (1 - u) |number|, and at least |tail| / 3u
+  bool is_exact;
+
+  [[nodiscard]] bool is_double() const { return is_exact && tail == 0; }
+};
+
+inline DoubledNumber doubled_sum(double x, double y) {
+  const double head = x + y;
+  const double tail = rounding_error(x, y, head);
+  return {head, tail, std::abs(head), !std::isnan(tail)};
+}
+
+inline DoubledNumber operator+(const DoubledNumber& p, const DoubledNumber& q) {
+  const double head = p.head + q.head;
+  const double error = rounding_error(p.head, q.head, head);
+  return {head, (error + p.tail) + q.tail, p.size + q.size, p.is_double() && q.is_double()};
+}
+
+// A cross product: within `error` of head + tail, the head being the double nearest to that sum.
+// The error is infinite where it is out of range.
+struct DoubledCross {
+  double head;
+  double tail;
+  double error;
+};
+
+// v x w, v being a direction, from doubled_sum, and w a sum of two such numbers at most.
+//
+// With s = |vx| my + |vy| mx, m the sizes of w: what is left out of a product, tail times tail
+// and the error of w, is below 9u^2 of its share of s, and the roundings of the other two terms
+// with tails below 7u^2. The tails that are added up are below 10u s together, so that
+// their roundings are below 40u^2 s; 128u^2 is more than all. The products are so far from
+// underflow that fused multiply-add gives their errors, up to an absolute error far below.
+inline DoubledCross doubled_cross(const DoubledNumber& vx, const DoubledNumber& vy,
+                                  const DoubledNumber& wx, const DoubledNumber& wy) {
+  const double size = vx.size * wy.size + vy.size * wx.size;
+  const double left = vx.head * wy.head;
+  const double right = vy.head * wx.head;
+  const double difference = left - right;
+  const double left_tail =
+      std::fma(vx.head, wy.head, -left) + (vx.head * wy.tail + vx.tail * wy.head);
+  const double right_tail =
+      std::fma(vy.head, wx.head, -right) + (vy.head * wx.tail + vy.tail * wx.head);
+  const double tail = rounding_error(left, -right, difference) + (left_tail - right_tail);
+  const double head = difference + tail;
+  const bool in_range = size >= 0x1p-900 && size <= 0x1p1000;
+  return {head, rounding_error(difference, tail, head),
+          in_range ? 128 * unit_roundoff * unit_roundoff * size
+                   : std::numeric_limits<double>::infinity()};
+}
+
+}  // namespace gcv

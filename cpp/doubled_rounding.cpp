@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "doubled_rounding.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "doubled.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The double nearest to the exact number, which is within `error` of head + tail, the head being
+// the nearest to that sum; nothing where that is not certain.
+std::optional<RoundedNumber> certain(double head, double tail, double error) {
+  if (error == 0 && std::isfinite(head)) {
+    return RoundedNumber{head + 0.0, tail == 0};
+  }
+  // Rounding is monotonic: where the ends of an interval round to the same double, all of it does.
+  const double radius = error + 2 * unit_roundoff * std::abs(tail);
+  if (std::abs(tail) > error && head + (tail - radius) == head && head + (tail + radius) == head) {
+    return RoundedNumber{head + 0.0, false};
+  }
+  return std::nullopt;
+}
+
+// a + b + shift.
+struct Origin {
+  double head;
+  double tail;
+  double error;
+
+  Origin(double a, double b, double shift) {
+    const double sum = a + b;
+    head = sum + shift;
+    const double sum_error = rounding_error(a, b, sum);
+    const double head_error = rounding_error(sum, shift, head);
+    tail = sum_error + head_error;
+    error = std::abs(rounding_error(sum_error, head_error, tail));
+  }
+
+  [[nodiscard]] std::optional<RoundedNumber> rounded() const {
+    const double nearest = head + tail;
+    return certain(nearest, rounding_error(head, tail, nearest), error);
+  }
+};
+
+// lambda, in o_s + lambda d_s, as `head` + `tail`, within `error`.
+struct Parameter {
+  double head;
+  double tail;
+  double error;
+};
+
+// N / D with N = (o_t - o_s) x d_t and D = d_s x d_t, both with their signs changed.
+//
+// With |D| at least four times its error eD: the quotient of the exact numbers differs from
+// that of the computed ones by at most 2 (eN + |lambda| eD) / |D|. The remainder of a division
+// is a double; what is added to it, the tails of N and of lambda D, and the remainder itself are
+// below 3u |N| each, their roundings and those of the second quotient below 32u^2 |lambda|.
+Parameter parameter(const SumEdge& s, const SumEdge& t) {
+  const DoubledNumber tx = doubled_sum(t.to.x, -t.from.x);
+  const DoubledNumber ty = doubled_sum(t.to.y, -t.from.y);
+  const SumPoint& from = s.origin;
+  const SumPoint& to = t.origin;
+  const DoubledCross n =
+      doubled_cross(tx, ty, doubled_sum(to.a.x, -from.a.x) + doubled_sum(to.b.x, -from.b.x),
+                    doubled_sum(to.a.y, -from.a.y) + doubled_sum(to.b.y, -from.b.y));
+  const DoubledCross d =
+      doubled_cross(tx, ty, doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y));
+  const double head = n.head / d.head;
+  const double tail = ((std::fma(-head, d.head, n.head) + n.tail) - head * d.tail) / d.head;
+  const double size = std::abs(head);
+  const double error =
+      2 * (n.error + size * d.error) / std::abs(d.head) + 32 * unit_roundoff * unit_roundoff * size;
+  return {head, tail,
+          std::abs(d.head) > 4 * d.error ? error : std::numeric_limits<double>::infinity()};
+}
+
+// One coordinate of o_s + lambda d_s.
+//
+// Beside the error of lambda, the roundings of the tails and what is left out, the product of
+// two tails, are below 64u^2 of the two terms. The factor 2 is for the roundings of this bound;
+// its last part for underflow, where coordinates are below the largest allowed.
+std::optional<RoundedNumber> rounded_coordinate(const Origin& origin, const Parameter& lambda,
+                                                const DoubledNumber& d) {
+  constexpr double largest = 0x1p300;
+  constexpr double underflow = 0x1p-700;
+  const double way = lambda.head * d.head;
+  const double way_tail =
+      std::fma(lambda.head, d.head, -way) + (lambda.head * d.tail + lambda.tail * d.head);
+  const double head = origin.head + way;
+  const double tail = rounding_error(origin.head, way, head) + (way_tail + origin.tail);
+  const double size = std::abs(origin.head) + std::abs(way);
+  const double error = 2 * (std::abs(d.head) * lambda.error + origin.error +
+                            64 * unit_roundoff * unit_roundoff * size) +
+                       underflow;
+  if (!(size <= largest && d.size <= largest)) {
+    return std::nullopt;
+  }
+  const double nearest = head + tail;
+  return certain(nearest, rounding_error(head, tail, nearest), error);
+}
+
+}  // namespace
+
+std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift) {
+  const auto x = Origin(point.a.x, point.b.x, shift.x).rounded();
+  const auto y = Origin(point.a.y, point.b.y, shift.y).rounded();
+  return x && y ? std::optional(RoundedVertex{*x, *y}) : std::nullopt;
+}
+
+// Where one of the edges is parallel to an axis, a coordinate is a sum.
+std::optional<RoundedVertex> rounded_crossing(const SumEdge& s, const SumEdge& t,
+                                              const Point& shift) {
+  const Parameter lambda = parameter(s, t);
+  const Origin sx(s.origin.a.x, s.origin.b.x, shift.x);
+  const Origin sy(s.origin.a.y, s.origin.b.y, shift.y);
+  const auto x = t.from.x == t.to.x ? Origin(t.origin.a.x, t.origin.b.x, shift.x).rounded()
+                 : s.from.x == s.to.x
+                     ? sx.rounded()
+                     : rounded_coordinate(sx, lambda, doubled_sum(s.to.x, -s.from.x));
+  const auto y = t.from.y == t.to.y ? Origin(t.origin.a.y, t.origin.b.y, shift.y).rounded()
+                 : s.from.y == s.to.y
+                     ? sy.rounded()
+                     : rounded_coordinate(sy, lambda, doubled_sum(s.to.y, -s.from.y));
+  return x && y ? std::optional(RoundedVertex{*x, *y}) : std::nullopt;
+}
+
+}  // namespace gcv
