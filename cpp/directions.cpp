@@ -10,9 +10,11 @@ namespace {
 int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally& tally) {
   const Index i = a.edge_of_line[la];
   const Index j = b.edge_of_line[lb];
-  const int sense = a.upper[i] == b.upper[j] ? 1 : -1;
-  return sense *
-         turn(a.vertices[i], a.vertices[a.next(i)], b.vertices[j], b.vertices[b.next(j)], tally);
+  const Index i1 = a.next(i);
+  const Index j1 = b.next(j);
+  // Both taken as they point up.
+  return turn(a.vertices[a.upper[i] != 0 ? i : i1], a.vertices[a.upper[i] != 0 ? i1 : i],
+              b.vertices[b.upper[j] != 0 ? j : j1], b.vertices[b.upper[j] != 0 ? j1 : j], tally);
 }
 
 std::vector<Rank> ranks(const Polygon& polygon, const std::vector<Rank>& rank_of_line,

@@ -79,27 +79,8 @@ bool turns_back(const Point& p, const Point& q, const Point& r) {
   return p.x == q.x ? (p.y < q.y) != (q.y < r.y) : (p.x < q.x) != (q.x < r.x);
 }
 
-bool points_up(const Point& p, const Point& q) { return p.y < q.y || (p.y == q.y && p.x < q.x); }
-
-// Does the chain turn the same way at every vertex, and once round in all? Then it is the
-// boundary of a convex polygon, and simple. Turning by less than half a turn each time, it
-// goes round once where its edges change once from pointing up to pointing down.
-bool is_convex_ring(const Chain& chain) {
-  const std::size_t n = chain.size();
-  std::size_t changes = 0;
-  bool up = points_up(chain.points[n - 1], chain.points[0]);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (chain.turn[i] == 0 || chain.turn[i] != chain.turn[0]) {
-      return false;
-    }
-    const bool was_up = std::exchange(up, points_up(chain.points[i], chain.points[chain.next(i)]));
-    changes += was_up && !up ? 1 : 0;
-  }
-  return changes == 1;
-}
-
 void check_simple(const Chain& chain, const char* name) {
-  if (is_convex_ring(chain)) {
+  if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.turn[i]; })) {
     return;
   }
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -195,7 +176,6 @@ class LineOrder {
                         tally_);
   }
 
-  // By keys first; then those that are too near each other. Parallel edges stay in order.
   std::vector<KeyedEdge> sorted() {
     const Index n = polygon_.size();
     std::vector<KeyedEdge> edges(n);
@@ -204,6 +184,30 @@ class LineOrder {
       const Point& q = polygon_.vertices[polygon_.next(i)];
       edges[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
     }
+    if (polygon_.is_convex) {
+      merge_halves(edges);
+    } else {
+      sort(edges);
+    }
+    return edges;
+  }
+
+ private:
+  // Of a convex polygon, the edges that point up are in order, and those that point down.
+  void merge_halves(std::vector<KeyedEdge>& edges) {
+    const auto is_up = [this](const KeyedEdge& e) { return polygon_.upper[e.edge] != 0; };
+    const auto up = std::find_if(edges.begin(), edges.end(), [&](const KeyedEdge& e) {
+      return is_up(e) && polygon_.upper[polygon_.previous(e.edge)] == 0;
+    });
+    std::rotate(edges.begin(), up, edges.end());
+    const auto down = std::find_if_not(edges.begin(), edges.end(), is_up);
+    std::inplace_merge(
+        edges.begin(), down, edges.end(),
+        [this](const KeyedEdge& e, const KeyedEdge& f) { return compare(e, f) > 0; });
+  }
+
+  // By keys first; then those that are too near each other. Parallel edges stay in order.
+  void sort(std::vector<KeyedEdge>& edges) {
     std::sort(edges.begin(), edges.end(), [](const KeyedEdge& e, const KeyedEdge& f) {
       return e.key > f.key || (e.key == f.key && e.edge < f.edge);
     });
@@ -220,10 +224,8 @@ class LineOrder {
       }
       group = end;
     }
-    return edges;
   }
 
- private:
   const Polygon& polygon_;
   Tally tally_;
 };

@@ -61,10 +61,15 @@ bool certain(const Approximation& a) { return std::abs(a.value) > a.error; }
 
 int sign_of(double x) { return (x > 0) - (x < 0); }
 
+bool are_equal(const DoubledNumber& p, const DoubledNumber& q) {
+  return p.is_exact && q.is_exact && p.head == q.head && p.tail == q.tail;
+}
+
 // The sign of v x w, as doubled_cross; nothing where it is too close, or out of range.
 //
 // On grids of few bits, where most ties are, all are doubles, and of two products that round
-// differently, or else of their errors, the larger decides: rounding is monotonic.
+// differently, or else of their errors, the larger decides: rounding is monotonic. Most other
+// ties are those of a polygon with itself.
 std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy,
                                 const DoubledNumber& wx, const DoubledNumber& wy) {
   if (vx.is_double() && vy.is_double() && wx.is_double() && wy.is_double()) {
@@ -80,6 +85,9 @@ std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy
       return std::nullopt;
     }
     return sign_of(std::fma(vx.head, wy.head, -left) - std::fma(vy.head, wx.head, -right));
+  }
+  if (are_equal(vx, wx) && are_equal(vy, wy)) {
+    return 0;
   }
   const DoubledCross cross = doubled_cross(vx, vy, wx, wy);
   return std::abs(cross.head) > cross.error ? std::optional(sign_of(cross.head)) : std::nullopt;

@@ -93,17 +93,31 @@ Point units_in_last_place(const std::vector<Point>& points) {
 
 double sum_bound(double x, double y) { return x == 0 || y == 0 ? x + y : next_up(x + y); }
 
-std::vector<Point> ring_through(const std::vector<Point>& places) {
-  std::vector<Point> ring = snap(places).vertices;
-  std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end(), lexicographically_less),
-              ring.end());
-  return ring;
+std::vector<Point> ring_through(std::vector<Point> places) {
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  while (places.size() > 1 && places.back() == places.front()) {
+    places.pop_back();
+  }
+  std::rotate(places.begin(),
+              std::min_element(places.begin(), places.end(), lexicographically_less), places.end());
+  return places;
 }
 
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   struct Portion {
     double error_bound = 0;
+    Point errors{0, 0};  // of the vertex with that
     Tally tally;
+
+    void add(double x, double y) {
+      if (x > errors.x || y > errors.y) {
+        const double bound = length_bound(x, y);
+        if (bound > error_bound) {
+          error_bound = bound;
+          errors = {x, y};
+        }
+      }
+    }
   };
   Placement placement;
   placement.places.resize(ring.size());
@@ -116,8 +130,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
       const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
       check_finite(ring, k, vertex);
       placement.places[k] = {vertex.x.value, vertex.y.value};
-      portion.error_bound = std::max(
-          portion.error_bound, length_bound(rounding_error(vertex.x), rounding_error(vertex.y)));
+      portion.add(rounding_error(vertex.x), rounding_error(vertex.y));
     }
     task.advance(last - first);
   });
@@ -133,9 +146,9 @@ std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& 
   if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
     return nearest;
   }
-  const std::vector<Point> snapped = snap(nearest.places).vertices;
-  if (snapped.size() >= 3 && !find_conflict(snapped, task.threads()) &&
-      is_counter_clockwise(snapped)) {
+  const std::vector<Point> through = ring_through(nearest.places);
+  if (through.size() >= 3 && !find_conflict(through, task.threads()) &&
+      is_counter_clockwise(through)) {
     return nearest;
   }
   std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);
@@ -162,7 +175,7 @@ RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally) {
     return {ring_through(placement->places), placement->error_bound, placement->repaired};
   }
   const Placement nearest = place_nearest(ring, task, tally);
-  const std::optional<UntangledRing> untangled = untangle(snap(nearest.places).vertices, tally);
+  const std::optional<UntangledRing> untangled = untangle(ring_through(nearest.places), tally);
   if (!untangled) {
     throw Error(Status::range, "the outer face is too small for doubles: rounding leaves no area");
   }

@@ -43,8 +43,8 @@ struct RoundedRing {
 // coordinate is not finite, or where nothing with an area is left.
 RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally);
 
-// The ring through the places, each once.
-std::vector<Point> ring_through(const std::vector<Point>& places);
+// The ring through the places, each once, from the lexicographically smallest one.
+std::vector<Point> ring_through(std::vector<Point> places);
 
 // The distance from |x| to the next double.
 double unit_in_last_place(double x);

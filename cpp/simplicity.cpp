@@ -164,8 +164,8 @@ class Sweep {
 
 // Do the neighbours pq and qr overlap?
 bool folds_back(const Point& p, const Point& q, const Point& r, Tally& tally) {
-  return orientation(p, q, r, tally) == 0 &&
-         lexicographically_less(p, q) != lexicographically_less(q, r);
+  return lexicographically_less(p, q) != lexicographically_less(q, r) &&
+         orientation(p, q, r, tally) == 0;
 }
 
 bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tally& tally) {
@@ -238,7 +238,15 @@ bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
 
 std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned threads) {
   constexpr std::size_t few = 32;
-  if (ring.size() <= few) {
+  const std::size_t n = ring.size();
+  Tally tally;
+  if (is_convex_ring(ring, [&](std::size_t i) {
+        return orientation(ring[i == 0 ? n - 1 : i - 1], ring[i], ring[i + 1 == n ? 0 : i + 1],
+                           tally);
+      })) {
+    return std::nullopt;
+  }
+  if (n <= few) {
     return compare_all(ring);
   }
   return is_soon_seen_simple(ring, threads) ? std::nullopt : Sweep(ring).run();

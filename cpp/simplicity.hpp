@@ -6,11 +6,36 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "point.hpp"
 
 namespace gcv {
+
+inline bool points_up(const Point& p, const Point& q) {
+  return p.y < q.y || (p.y == q.y && p.x < q.x);
+}
+
+// Does the ring turn the same way at every vertex, and once round in all? Then it is the
+// boundary of a convex polygon, and simple. Turning by less than half a turn each time, it
+// goes round once where its edges change once from pointing up to pointing down. turn_at(i) is
+// the sign of the turn at vertex i.
+template <class TurnAt>
+bool is_convex_ring(std::span<const Point> ring, TurnAt turn_at) {
+  const std::size_t n = ring.size();
+  const int sense = turn_at(0);
+  std::size_t changes = 0;
+  bool up = points_up(ring[n - 1], ring[0]);
+  for (std::size_t i = 0; i < n; ++i) {
+    if (sense == 0 || turn_at(i) != sense) {
+      return false;
+    }
+    const bool was_up = std::exchange(up, points_up(ring[i], ring[i + 1 == n ? 0 : i + 1]));
+    changes += was_up && !up ? 1 : 0;
+  }
+  return changes == 1;
+}
 
 // Two edges of a ring that meet where they should not; edge i joins vertices i and i+1.
 struct Conflict {
