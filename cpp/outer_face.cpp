@@ -387,10 +387,10 @@ class Walker {
       return directions_.angle(rank, operands_.rank(t.edge));
     };
     const Line t = line_of(e);
-    if (best && angle(t) > angle(*best)) {
+    if (best && angle(t) >= angle(*best) && (angle(t) > angle(*best) || !preferred(t, *best))) {
       return;
     }
-    if (leaves(t, end_of(s.edge)) && (!best || angle(t) < angle(*best) || preferred(t, *best))) {
+    if (leaves(t, end_of(s.edge))) {
       best = t;
     }
   }
