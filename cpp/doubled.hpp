@@ -40,8 +40,13 @@ inline DoubledNumber operator+(const DoubledNumber& p, const DoubledNumber& q) {
   return {head, (error + p.tail) + q.tail, p.size + q.size, p.is_double() && q.is_double()};
 }
 
+// Is the rounded product exact, given what it was rounded by?
+inline bool is_exact_product(double x, double y, double product, double error) {
+  return error == 0 && (std::abs(product) >= 0x1p-900 || x == 0 || y == 0);
+}
+
 // A cross product: within `error` of head + tail, the head being the double nearest to that sum.
-// The error is infinite where it is out of range.
+// The error is infinite where it is out of range, and 0 only where the head is exact.
 struct DoubledCross {
   double head;
   double tail;
@@ -61,13 +66,19 @@ inline DoubledCross doubled_cross(const DoubledNumber& vx, const DoubledNumber& 
   const double left = vx.head * wy.head;
   const double right = vy.head * wx.head;
   const double difference = left - right;
-  const double left_tail =
-      std::fma(vx.head, wy.head, -left) + (vx.head * wy.tail + vx.tail * wy.head);
-  const double right_tail =
-      std::fma(vy.head, wx.head, -right) + (vy.head * wx.tail + vy.tail * wx.head);
-  const double tail = rounding_error(left, -right, difference) + (left_tail - right_tail);
-  const double head = difference + tail;
+  const double left_error = std::fma(vx.head, wy.head, -left);
+  const double right_error = std::fma(vy.head, wx.head, -right);
+  const double difference_error = rounding_error(left, -right, difference);
   const bool in_range = size >= 0x1p-900 && size <= 0x1p1000;
+  if (in_range && difference_error == 0 && vx.is_double() && vy.is_double() && wx.is_double() &&
+      wy.is_double() && is_exact_product(vx.head, wy.head, left, left_error) &&
+      is_exact_product(vy.head, wx.head, right, right_error)) {
+    return {difference, 0, 0};
+  }
+  const double left_tail = left_error + (vx.head * wy.tail + vx.tail * wy.head);
+  const double right_tail = right_error + (vy.head * wx.tail + vy.tail * wx.head);
+  const double tail = difference_error + (left_tail - right_tail);
+  const double head = difference + tail;
   return {head, rounding_error(difference, tail, head),
           in_range ? 128 * unit_roundoff * unit_roundoff * size
                    : std::numeric_limits<double>::infinity()};

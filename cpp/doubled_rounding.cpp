@@ -45,11 +45,15 @@ struct Origin {
   }
 };
 
-// lambda, in o_s + lambda d_s, as `head` + `tail`, within `error`.
+// lambda, in o_s + lambda d_s, as `head` + `tail`, within `error`; if is_fraction, it is
+// exactly n / d.
 struct Parameter {
   double head;
   double tail;
   double error;
+  bool is_fraction;
+  double n;
+  double d;
 };
 
 // N / D with N = (o_t - o_s) x d_t and D = d_s x d_t, both with their signs changed.
@@ -73,33 +77,60 @@ Parameter parameter(const SumEdge& s, const SumEdge& t) {
   const double size = std::abs(head);
   const double error =
       2 * (n.error + size * d.error) / std::abs(d.head) + 32 * unit_roundoff * unit_roundoff * size;
-  return {head, tail,
-          std::abs(d.head) > 4 * d.error ? error : std::numeric_limits<double>::infinity()};
+  return {head,
+          tail,
+          std::abs(d.head) > 4 * d.error ? error : std::numeric_limits<double>::infinity(),
+          n.error == 0 && d.error == 0 && d.head != 0,
+          n.head,
+          d.head};
+}
+
+// The quotient n d / D, where all of it is a double.
+std::optional<double> exact_way(const Parameter& lambda, const DoubledNumber& d) {
+  const double product = lambda.n * d.head;
+  const double quotient = product / lambda.d;
+  if (lambda.is_fraction && d.is_double() &&
+      is_exact_product(lambda.n, d.head, product, std::fma(lambda.n, d.head, -product)) &&
+      is_exact_product(quotient, lambda.d, product, std::fma(quotient, lambda.d, -product))) {
+    return quotient;
+  }
+  return std::nullopt;
+}
+
+// The origin + way + way_tail, within `error`.
+std::optional<RoundedNumber> rounded_way(const Origin& origin, double way, double way_tail,
+                                         double error) {
+  const double head = origin.head + way;
+  const double head_error = rounding_error(origin.head, way, head);
+  const double tails = way_tail + origin.tail;
+  const double tail = head_error + tails;
+  const double nearest = head + tail;
+  return certain(nearest, rounding_error(head, tail, nearest),
+                 error + (std::abs(rounding_error(way_tail, origin.tail, tails)) +
+                          std::abs(rounding_error(head_error, tails, tail))));
 }
 
 // One coordinate of o_s + lambda d_s.
 //
-// Beside the error of lambda, the roundings of the tails and what is left out, the product of
-// two tails, are below 64u^2 of the two terms. The factor 2 is for the roundings of this bound;
-// its last part for underflow, where coordinates are below the largest allowed.
+// Beside the error of lambda, the roundings in the tail of the way and what is left out, the
+// product of two tails, are below 16u^2 of the way. The factor 2 is for the roundings of this
+// bound; its last part for underflow, where coordinates are below the largest allowed.
 std::optional<RoundedNumber> rounded_coordinate(const Origin& origin, const Parameter& lambda,
                                                 const DoubledNumber& d) {
   constexpr double largest = 0x1p300;
   constexpr double underflow = 0x1p-700;
-  const double way = lambda.head * d.head;
-  const double way_tail =
-      std::fma(lambda.head, d.head, -way) + (lambda.head * d.tail + lambda.tail * d.head);
-  const double head = origin.head + way;
-  const double tail = rounding_error(origin.head, way, head) + (way_tail + origin.tail);
-  const double size = std::abs(origin.head) + std::abs(way);
-  const double error = 2 * (std::abs(d.head) * lambda.error + origin.error +
-                            64 * unit_roundoff * unit_roundoff * size) +
-                       underflow;
-  if (!(size <= largest && d.size <= largest)) {
-    return std::nullopt;
+  if (const auto way = exact_way(lambda, d)) {
+    return rounded_way(origin, *way, 0, origin.error);
   }
-  const double nearest = head + tail;
-  return certain(nearest, rounding_error(head, tail, nearest), error);
+  const double way = lambda.head * d.head;
+  const double tail =
+      std::fma(lambda.head, d.head, -way) + (lambda.head * d.tail + lambda.tail * d.head);
+  const double error = 2 * (std::abs(d.head) * lambda.error + origin.error +
+                            16 * unit_roundoff * unit_roundoff * std::abs(way)) +
+                       underflow;
+  return std::abs(way) <= largest && std::abs(origin.head) <= largest && d.size <= largest
+             ? rounded_way(origin, way, tail, error)
+             : std::nullopt;
 }
 
 }  // namespace

@@ -100,8 +100,9 @@ class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
     const RankedEdges ranked(operands.directions);
-    if (count_superset(operands, ranked) <= SupersetTree::most_edges) {
-      tree_.emplace(operands, ranked);
+    const std::uint64_t size = count_superset(operands, ranked);
+    if (size <= SupersetTree::most_edges) {
+      tree_.emplace(operands, ranked, size);
     } else {
       implicit_.emplace(operands);
     }

@@ -64,6 +64,9 @@ struct BoxedEdge {
 };
 
 FloatBox box_of_edge(const Operands& operands, const PairEdge& e, double scale) {
+  if (scale == 0) {
+    return everything;
+  }
   const Polygon& a = operands.a;
   const Polygon& b = operands.b;
   const bool translated = e.kind == PairEdge::translated;
@@ -75,10 +78,7 @@ FloatBox box_of_edge(const Operands& operands, const PairEdge& e, double scale) 
   const auto y0 = static_cast<float>((from_a.y + from_b.y) * scale);
   const auto x1 = static_cast<float>((to_a.x + to_b.x) * scale);
   const auto y1 = static_cast<float>((to_a.y + to_b.y) * scale);
-  const float size = std::abs(x0) + std::abs(y0) + std::abs(x1) + std::abs(y1);
-  return size <= 4
-             ? FloatBox{{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)}}
-             : everything;  // numbers have overflowed
+  return {{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)}};
 }
 
 void put(SupersetTree::Block& block, std::uint32_t lane, const FloatBox& box) {
@@ -113,9 +113,8 @@ std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked
          count_contributions(ranked.b, operands.a, operands.directions.rank_a);
 }
 
-SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked)
+SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked, std::size_t size)
     : scale_(scale_of(operands)) {
-  const std::size_t size = count_superset(operands, ranked);
   const ZOrder order(size);
   std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
   std::vector<BoxedEdge> edges;

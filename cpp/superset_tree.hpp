@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -23,8 +24,8 @@ class SupersetTree {
  public:
   static constexpr std::uint64_t most_edges = 16384;
 
-  // For most_edges at most. O(n + m + edges).
-  SupersetTree(const Operands& operands, const RankedEdges& ranked);
+  // For so many edges as count_superset() says, most_edges at most. O(n + m + edges).
+  SupersetTree(const Operands& operands, const RankedEdges& ranked, std::size_t size);
 
   // The boxes of the children of one node, in units of `unit`. Those that are missing hold no
   // point.

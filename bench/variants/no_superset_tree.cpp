@@ -11,6 +11,6 @@ std::uint64_t count_superset(const Operands&, const RankedEdges&) {
   return std::numeric_limits<std::uint64_t>::max();
 }
 
-SupersetTree::SupersetTree(const Operands&, const RankedEdges&) {}
+SupersetTree::SupersetTree(const Operands&, const RankedEdges&, std::size_t) {}
 
 }  // namespace gcv
