@@ -17,8 +17,7 @@ int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally&
               b.vertices[b.upper[j] != 0 ? j : j1], b.vertices[b.upper[j] != 0 ? j1 : j], tally);
 }
 
-std::vector<Rank> ranks(const Polygon& polygon, const std::vector<Rank>& rank_of_line,
-                        Rank half_turn) {
+std::vector<Rank> ranks(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
   std::vector<Rank> result(polygon.size());
   for (Index i = 0; i < polygon.size(); ++i) {
     result[i] = rank_of_line[polygon.line_of_edge[i]] + (polygon.upper[i] != 0 ? 0 : half_turn);
@@ -31,8 +30,9 @@ std::vector<Rank> ranks(const Polygon& polygon, const std::vector<Rank>& rank_of
 Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   const auto lines_a = static_cast<Index>(a.edge_of_line.size());
   const auto lines_b = static_cast<Index>(b.edge_of_line.size());
-  std::vector<Rank> rank_of_line_a(lines_a);
-  std::vector<Rank> rank_of_line_b(lines_b);
+  std::vector<Rank> rank_of_line(std::size_t{lines_a} + lines_b);
+  Rank* const rank_of_line_a = rank_of_line.data();
+  Rank* const rank_of_line_b = rank_of_line_a + lines_a;
   Rank rank = 0;
   Index la = 0;
   Index lb = 0;

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "doubled.hpp"
 #include "point.hpp"
 
 namespace gcv {
@@ -18,6 +19,12 @@ struct RoundedVertex {
   RoundedNumber x;
   RoundedNumber y;
 };
+
+// A sum of two doubles is correctly rounded by adding them.
+inline RoundedNumber rounded_sum(double a, double b) {
+  const double sum = a + b;
+  return {sum + 0.0, rounding_error(a, b, sum) == 0};
+}
 
 // The doubles nearest to the coordinates of a + b + shift, ties to even; nothing where they are
 // not certain.

@@ -48,8 +48,8 @@ class Team {
 
 unsigned available_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
-void for_each_in_parallel(std::size_t count, unsigned threads,
-                          const std::function<void(std::size_t)>& work) {
+void run_on_threads(std::size_t count, unsigned threads,
+                    const std::function<void(std::size_t)>& work) {
   Team team(count, work);
   std::vector<std::thread> others;
   try {

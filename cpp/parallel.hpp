@@ -13,10 +13,22 @@ namespace gcv {
 // As many threads as the machine runs at once, at least 1.
 unsigned available_threads();
 
+// Work on a team of threads, as for_each_in_parallel.
+void run_on_threads(std::size_t count, unsigned threads,
+                    const std::function<void(std::size_t)>& work);
+
 // Calls work(k) once for every k below `count`, on at most `threads` threads; on fewer where
-// the system gives no more. Returns when all calls have. Where calls throw, the others are
-// made all the same, and the exception of the smallest k is thrown in the end.
-void for_each_in_parallel(std::size_t count, unsigned threads,
-                          const std::function<void(std::size_t)>& work);
+// the system gives no more. Returns when all calls have. Where calls throw, the exception of
+// the smallest k is thrown in the end, and on one thread no call is made after it.
+template <class Work>
+void for_each_in_parallel(std::size_t count, unsigned threads, const Work& work) {
+  if (threads > 1 && count > 1) {
+    run_on_threads(count, threads, std::cref(work));
+    return;
+  }
+  for (std::size_t k = 0; k < count; ++k) {
+    work(k);
+  }
+}
 
 }  // namespace gcv

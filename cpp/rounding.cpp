@@ -24,6 +24,11 @@ RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally)
   const Polygon& a = *ring.a.polygon;
   const Polygon& b = *ring.b.polygon;
   const RingVertex& v = ring.vertices[k];
+  if (v.is_sum && ring.shift == Point{0, 0}) {
+    ++tally.filtered;
+    return {rounded_sum(a.vertices[v.i].x, b.vertices[v.j].x),
+            rounded_sum(a.vertices[v.i].y, b.vertices[v.j].y)};
+  }
   const std::optional<RoundedVertex> in_doubles =
       v.is_sum ? rounded_sum({a.vertices[v.i], b.vertices[v.j]}, ring.shift)
                : rounded_crossing(coordinates(a, b, ring.arriving[k]),
@@ -142,7 +147,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
 }
 
 std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally) {
-  const Placement nearest = place_nearest(ring, task, tally);
+  Placement nearest = place_nearest(ring, task, tally);
   if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
     return nearest;
   }
@@ -171,8 +176,9 @@ std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& 
 // Moving the vertices of a ring by at most d moves each point of it by at most d, so the
 // rings are within the largest error of a vertex of each other.
 RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally) {
-  if (const std::optional<Placement> placement = place_simply(ring, task, tally)) {
-    return {ring_through(placement->places), placement->error_bound, placement->repaired};
+  if (std::optional<Placement> placement = place_simply(ring, task, tally)) {
+    return {ring_through(std::move(placement->places)), placement->error_bound,
+            placement->repaired};
   }
   const Placement nearest = place_nearest(ring, task, tally);
   const std::optional<UntangledRing> untangled = untangle(ring_through(nearest.places), tally);
