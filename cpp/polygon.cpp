@@ -159,11 +159,33 @@ struct KeyedEdge {
   Index edge;
 };
 
-// The exact order of the line directions of edges.
-class LineOrder {
+// Sorts the line directions of the edges, and numbers them.
+class LineSorter {
  public:
-  explicit LineOrder(const Polygon& polygon) : polygon_(polygon) {}
+  explicit LineSorter(Polygon& polygon) : polygon_(polygon), edges_(polygon.size()) {
+    for (Index i = 0; i < polygon_.size(); ++i) {
+      const Point& p = polygon_.vertices[i];
+      const Point& q = polygon_.vertices[polygon_.next(i)];
+      edges_[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
+    }
+  }
 
+  // By keys first. Where some of those are too near each other, exactly.
+  void run() {
+    if (polygon_.is_convex) {
+      merge_halves();
+    } else {
+      std::sort(edges_.begin(), edges_.end(), [](const KeyedEdge& e, const KeyedEdge& f) {
+        return e.key > f.key || (e.key == f.key && e.edge < f.edge);
+      });
+    }
+    if (!number_lines()) {
+      std::stable_sort(edges_.begin(), edges_.end(), Before{this});
+      number_lines();
+    }
+  }
+
+ private:
   // 1 where e comes before f, 0 where they are parallel.
   int compare(const KeyedEdge& e, const KeyedEdge& f) {
     const double difference = e.key - f.key;
@@ -176,76 +198,53 @@ class LineOrder {
                         tally_);
   }
 
-  std::vector<KeyedEdge> sorted() {
-    const Index n = polygon_.size();
-    std::vector<KeyedEdge> edges(n);
-    for (Index i = 0; i < n; ++i) {
-      const Point& p = polygon_.vertices[i];
-      const Point& q = polygon_.vertices[polygon_.next(i)];
-      edges[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
+  struct Before {
+    LineSorter* sorter;
+    bool operator()(const KeyedEdge& e, const KeyedEdge& f) const {
+      return sorter->compare(e, f) > 0;
     }
-    if (polygon_.is_convex) {
-      merge_halves(edges);
-    } else {
-      sort(edges);
-    }
-    return edges;
-  }
+  };
 
- private:
   // Of a convex polygon, the edges that point up are in order, and those that point down.
-  void merge_halves(std::vector<KeyedEdge>& edges) {
+  void merge_halves() {
     const auto is_up = [this](const KeyedEdge& e) { return polygon_.upper[e.edge] != 0; };
-    const auto up = std::find_if(edges.begin(), edges.end(), [&](const KeyedEdge& e) {
+    const auto up = std::find_if(edges_.begin(), edges_.end(), [&](const KeyedEdge& e) {
       return is_up(e) && polygon_.upper[polygon_.previous(e.edge)] == 0;
     });
-    std::rotate(edges.begin(), up, edges.end());
-    const auto down = std::find_if_not(edges.begin(), edges.end(), is_up);
-    std::inplace_merge(
-        edges.begin(), down, edges.end(),
-        [this](const KeyedEdge& e, const KeyedEdge& f) { return compare(e, f) > 0; });
+    std::rotate(edges_.begin(), up, edges_.end());
+    const auto down = std::find_if_not(edges_.begin(), edges_.end(), is_up);
+    std::inplace_merge(edges_.begin(), down, edges_.end(), Before{this});
   }
 
-  // By keys first; then those that are too near each other. Parallel edges stay in order.
-  void sort(std::vector<KeyedEdge>& edges) {
-    std::sort(edges.begin(), edges.end(), [](const KeyedEdge& e, const KeyedEdge& f) {
-      return e.key > f.key || (e.key == f.key && e.edge < f.edge);
-    });
-    for (auto group = edges.begin(); group != edges.end();) {
-      auto end = group + 1;
-      bool is_sorted = true;
-      for (; end != edges.end() && !((end - 1)->key - end->key > key_tolerance); ++end) {
-        is_sorted = is_sorted && compare(*(end - 1), *end) >= 0;
+  // False where they are not in order.
+  bool number_lines() {
+    polygon_.line_of_edge.resize(edges_.size());
+    polygon_.edge_of_line.clear();
+    polygon_.edge_of_line.reserve(edges_.size());
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const int order = k == 0 ? 1 : compare(edges_[k - 1], edges_[k]);
+      if (order < 0) {
+        return false;
       }
-      if (!is_sorted) {
-        std::stable_sort(group, end, [this](const KeyedEdge& e, const KeyedEdge& f) {
-          return compare(e, f) > 0;
-        });
+      if (order > 0) {
+        polygon_.edge_of_line.push_back(edges_[k].edge);
       }
-      group = end;
+      polygon_.line_of_edge[edges_[k].edge] = static_cast<Index>(polygon_.edge_of_line.size() - 1);
     }
+    return true;
   }
 
-  const Polygon& polygon_;
+  Polygon& polygon_;
+  std::vector<KeyedEdge> edges_;
   Tally tally_;
 };
 
 void sort_directions(Polygon& polygon) {
-  const Index n = polygon.size();
-  polygon.upper.resize(n);
-  for (Index i = 0; i < n; ++i) {
+  polygon.upper.resize(polygon.size());
+  for (Index i = 0; i < polygon.size(); ++i) {
     polygon.upper[i] = points_up(polygon.vertices[i], polygon.vertices[polygon.next(i)]) ? 1 : 0;
   }
-  LineOrder order(polygon);
-  const std::vector<KeyedEdge> edges = order.sorted();
-  polygon.line_of_edge.resize(n);
-  polygon.edge_of_line.reserve(n);
-  for (Index k = 0; k < n; ++k) {
-    if (k == 0 || order.compare(edges[k - 1], edges[k]) != 0) {
-      polygon.edge_of_line.push_back(edges[k].edge);
-    }
-    polygon.line_of_edge[edges[k].edge] = static_cast<Index>(polygon.edge_of_line.size() - 1);
-  }
+  LineSorter(polygon).run();
 }
 
 void find_extremes(Polygon& polygon) {
