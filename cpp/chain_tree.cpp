@@ -21,6 +21,7 @@ template <class BoxOfEdge>
 ChainTree build(std::size_t edges, BoxOfEdge box_of_edge) {
   constexpr std::uint32_t width = ChainTree::width;
   ChainTree tree;
+  tree.edges = static_cast<std::uint32_t>(edges);
   std::uint32_t counts[ChainTree::most_depths];  // of the blocks, from those of edges up
   std::size_t depths = 0;
   auto count = static_cast<std::uint32_t>(edges);

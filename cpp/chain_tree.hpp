@@ -48,6 +48,7 @@ struct ChainTree {
     std::uint32_t index;
   };
 
+  std::uint32_t edges = 0;
   std::vector<Block> blocks;               // from the root's to those of edges
   std::vector<std::uint32_t> first_block;  // of the children of nodes of depth d
   Box box{};                               // the root's
@@ -57,6 +58,10 @@ struct ChainTree {
   [[nodiscard]] std::uint32_t nodes_of_depth(std::uint32_t depth) const {
     const std::size_t end = depth + 1 < first_block.size() ? first_block[depth + 1] : blocks.size();
     return static_cast<std::uint32_t>(end) - first_block[depth];
+  }
+  // Is there such a node? Boxes that are missing can overlap only such as are not finite.
+  [[nodiscard]] bool has(const Node& node) const {
+    return node.index < (is_edge(node) ? edges : nodes_of_depth(node.depth));
   }
   // The number of the block of a node's children.
   [[nodiscard]] std::uint32_t block_below(const Node& node) const {
@@ -110,7 +115,8 @@ class OverlappingPairs {
       unsigned later = overlapping(block, block.box(lane)) & ~0U << (lane + 1);
       for (; later != 0; later &= later - 1) {
         const auto other = static_cast<std::uint32_t>(std::countr_zero(later));
-        if (!between(child, block.box(lane), ChainTree::child(node, other), block.box(other))) {
+        const ChainTree::Node sibling = ChainTree::child(node, other);
+        if (tree_.has(sibling) && !between(child, block.box(lane), sibling, block.box(other))) {
           return false;
         }
       }
@@ -136,7 +142,8 @@ class OverlappingPairs {
     const ChainTree::Block& block = tree_.blocks[tree_.block_below(a)];
     for (unsigned lanes = overlapping(block, box_b); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      if (!between(b, box_b, ChainTree::child(a, lane), block.box(lane))) {
+      const ChainTree::Node child = ChainTree::child(a, lane);
+      if (tree_.has(child) && !between(b, box_b, child, block.box(lane))) {
         return false;
       }
     }

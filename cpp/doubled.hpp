@@ -12,7 +12,8 @@ namespace gcv {
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 // What rounding took from `sum`, the double nearest to x + y (TwoSum; Knuth, The Art of
-// Computer Programming, volume 2, section 4.2.2): a double, exactly. NaN on overflow.
+// Computer Programming, volume 2, section 4.2.2): a double, exactly. NaN where the sum
+// overflows, and maybe where it lies next to the end of the range.
 inline double rounding_error(double x, double y, double sum) {
   const double y_part = sum - x;
   return (x - (sum - y_part)) + (y - y_part);
@@ -22,7 +23,7 @@ inline double rounding_error(double x, double y, double sum) {
 struct DoubledNumber {
   double head;
   double tail;
-  double size;  // at least (1 - u) |number|, and at least |tail| / 3u
+  double size;  // at least (1 - 3u) |number|, and at least |tail| / 3u
   bool is_exact;
 
   [[nodiscard]] bool is_double() const { return is_exact && tail == 0; }
@@ -57,7 +58,7 @@ struct DoubledCross {
 //
 // With s = |vx| my + |vy| mx, m the sizes of w: what is left out of a product, tail times tail
 // and the error of w, is below 9u^2 of its share of s, and the roundings of the other two terms
-// with tails below 7u^2. The tails that are added up are below 10u s together, so that
+// with tails below 9u^2. The tails that are added up are below 10u s together, so that
 // their roundings are below 40u^2 s; 128u^2 is more than all. The products are so far from
 // underflow that fused multiply-add gives their errors, up to an absolute error far below.
 inline DoubledCross doubled_cross(const DoubledNumber& vx, const DoubledNumber& vy,

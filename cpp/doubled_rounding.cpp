@@ -17,7 +17,8 @@ std::optional<RoundedNumber> certain(double head, double tail, double error) {
     return RoundedNumber{head + 0.0, tail == 0};
   }
   // Rounding is monotonic: where the ends of an interval round to the same double, all of it does.
-  const double radius = error + 2 * unit_roundoff * std::abs(tail);
+  // Those of the radius and of its ends, below 4u |tail|, are made good.
+  const double radius = error + 4 * unit_roundoff * std::abs(tail);
   if (std::abs(tail) > error && head + (tail - radius) == head && head + (tail + radius) == head) {
     return RoundedNumber{head + 0.0, false};
   }

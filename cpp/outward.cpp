@@ -63,7 +63,8 @@ double distance_bound(const Point& p, const Point& a, const Point& b, double uni
   const double square = dx * dx + dy * dy;
   const double foot = ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
   const double t = foot > 0 ? std::min(foot, 1.0) : 0.0;
-  return length_bound(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) + 8 * unit;
+  const Point near = t > 0 ? Point{a.x + t * dx, a.y + t * dy} : a;  // dx may be infinite
+  return length_bound(p.x - near.x, p.y - near.y) + 8 * unit;
 }
 
 // At least the distance of a vertex of N that no edge of O comes from to O as placed.

@@ -44,6 +44,13 @@ struct SumEdge {
   double dy;
 };
 
+// The direction from p to q: q - p, rounded, or a quarter of it where that overflows.
+inline Point direction(const Point& p, const Point& q) {
+  const Point d{q.x - p.x, q.y - p.y};
+  return std::isfinite(std::abs(d.x) + std::abs(d.y)) ? d
+                                                      : Point{q.x / 4 - p.x / 4, q.y / 4 - p.y / 4};
+}
+
 // The next larger double, for x from 0 on.
 inline double next_up(double x) {
   return x < std::numeric_limits<double>::infinity()

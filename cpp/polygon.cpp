@@ -143,14 +143,11 @@ void take_corners(const Chain& chain, Polygon& polygon) {
 // 2u |f| (1 - |f|) <= u / 2, and the sum and the quotient add u |f| <= u each; where the
 // quotient underflows, 2^-1075. So a key is off by less than 3u, a difference of two keys,
 // rounded by 2u, by less than 8u; key_tolerance is 16u. Keys that are further apart than
-// that are in the exact order of their angles. Where the sum overflows, a quarter of the
-// coordinates will do: what they lose to underflow is nothing beside it.
+// that are in the exact order of their angles. What a quarter of a direction that overflows
+// loses to underflow is nothing beside it.
 double direction_key(const Point& p, const Point& q) {
-  const auto key = [](double dx, double dy) { return dx / (std::abs(dx) + std::abs(dy)); };
-  const double dx = q.x - p.x;
-  const double dy = q.y - p.y;
-  return std::isfinite(std::abs(dx) + std::abs(dy)) ? key(dx, dy)
-                                                    : key(q.x / 4 - p.x / 4, q.y / 4 - p.y / 4);
+  const Point d = direction(p, q);
+  return d.x / (std::abs(d.x) + std::abs(d.y));
 }
 constexpr double key_tolerance = 8 * std::numeric_limits<double>::epsilon();
 

@@ -132,16 +132,15 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
 }
 
 // Rounding is monotonic: sums that round differently compare as their roundings do.
-// Where they round to the same double, the errors decide, which TwoSum gives exactly.
+// Where they round to the same double, the errors decide.
 int compare_sums(double a, double b, double c, double d, Tally& tally) {
   const double first = a + b;
   const double second = c + d;
-  if (std::isfinite(first) && std::isfinite(second)) {
+  const double difference =
+      first != second ? first - second : rounding_error(a, b, first) - rounding_error(c, d, second);
+  if (std::isfinite(first) && std::isfinite(second) && !std::isnan(difference)) {
     ++tally.filtered;
-    if (first != second) {
-      return sign_of(first - second);
-    }
-    return sign_of(rounding_error(a, b, first) - rounding_error(c, d, second));
+    return sign_of(difference);
   }
   return exact::compare_sums(a, b, c, d, tally);
 }

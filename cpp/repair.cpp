@@ -74,9 +74,10 @@ class Separator {
     }
     // The unit normal of the line to the wanted side; scaled down first, so that nothing
     // overflows or underflows.
-    const double size = std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
-    const double dx = (q.x - p.x) / size;
-    const double dy = (q.y - p.y) / size;
+    const Point d = direction(p, q);
+    const double size = std::max(std::abs(d.x), std::abs(d.y));
+    const double dx = d.x / size;
+    const double dy = d.y / size;
     const double length = std::sqrt(dx * dx + dy * dy);
     const Point normal{-wanted * dy / length, wanted * dx / length};
     demand(end, normal, 1);
@@ -118,8 +119,11 @@ class Separator {
     }
     const Point& p = nearest_[k];
     const double unit = std::max(unit_in_last_place(p.x), unit_in_last_place(p.y));
-    places_[k] = {p.x + move.x * std::min(unit, largest_units_.x),
-                  p.y + move.y * std::min(unit, largest_units_.y)};
+    const Point place{p.x + move.x * std::min(unit, largest_units_.x),
+                      p.y + move.y * std::min(unit, largest_units_.y)};
+    if (std::isfinite(place.x) && std::isfinite(place.y)) {
+      places_[k] = place;
+    }
   }
 
   const ExactRing& exact_;

@@ -21,7 +21,7 @@ std::uint64_t count_contributions(const EdgesByRank& edges, const Polygon& polyg
 }
 
 // The cells of a grid in the order of a Z-shaped curve (Morton, 1966), in which neighbours are
-// near, over numbers from -1 to 1; about as many as there are edges.
+// near, over numbers from -1 to 1; one to four for each edge.
 class ZOrder {
  public:
   explicit ZOrder(std::size_t edges)

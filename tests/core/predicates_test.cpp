@@ -84,6 +84,14 @@ TEST_F(Predicates, CompareSumsIsExact) {
   }
 }
 
+TEST_F(Predicates, CompareSumsIsExactAtTheEndOfTheRange) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  constexpr double unit = 0x1p971;
+  EXPECT_EQ(compare_sums(-1.5 * unit, largest, -unit, largest, tally_), -1);
+  EXPECT_EQ(compare_sums(-unit, largest, -1.5 * unit, largest, tally_), 1);
+  EXPECT_EQ(compare_sums(unit, -largest, 1.5 * unit, -largest, tally_), -1);
+}
+
 TEST_F(Predicates, CrossingsAreExactAndEnclosed) {
   int compared = 0;
   int narrow = 0;
@@ -107,6 +115,8 @@ TEST_F(Predicates, CrossingsAreExactAndEnclosed) {
     if (std::isfinite(interval.lo)) {
       ++narrow;
       ASSERT_LE(rational(interval.lo), lt);
+    }
+    if (std::isfinite(interval.hi)) {
       ASSERT_GE(rational(interval.hi), lt);
     }
     ++compared;

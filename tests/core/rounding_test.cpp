@@ -168,6 +168,77 @@ OuterFace sum_of(const Ring& a, const Ring& b, const Point& shift) {
                        Rounding::nearest, task);
 }
 
+// Edges longer than the largest double, slits at the end of the range that have to be moved
+// apart, and sums whose rounding errors are beyond it.
+TEST(Rounding, SurvivesTheEndOfTheRange) {
+  constexpr double top = 0x1p971;  // a unit in the last place of the largest doubles
+  const auto scaled = [](Ring ring, double x, double y) {
+    for (Point& p : ring) {
+      p = {x + p.x * top, y + p.y * top};
+    }
+    return ring;
+  };
+  constexpr double largest = std::numeric_limits<double>::max();
+  const std::pair<Ring, Ring> pairs[] = {
+      {scaled({{-5.5, -2.5},
+               {-3.5, -3.75},
+               {-2.75, -3.25},
+               {-2.5, -3.5},
+               {-2, -2.75},
+               {-2, -0.75},
+               {-2.5, -1},
+               {-2.75, -0.75},
+               {-3.5, -1.75},
+               {-5.5, -2}},
+              0, 0),
+       scaled({{-10, -9}, {-8, -15}, {0, -13}, {0, 0}, {-8, -5}, {-10, -4}}, largest, largest)},
+      {scaled({{-11, 5},
+               {-10, 6},
+               {-9, 7},
+               {-8, 2},
+               {-3, 6},
+               {0, 1},
+               {0, 11},
+               {-3, 9},
+               {-8, 11},
+               {-9, 10},
+               {-10, 8},
+               {-11, 14}},
+              largest, 0),
+       scaled({{-4.5, 0},
+               {-4, 0.25},
+               {-0.75, 1.75},
+               {-0.5, 0},
+               {-0.25, 0.75},
+               {0, 0.25},
+               {0, 2.5},
+               {-0.25, 2.25},
+               {-0.5, 2.25},
+               {-0.75, 3.75},
+               {-4, 2.5},
+               {-4.5, 3}},
+              0, 0)},
+      {{{-0x1.ep+1023, -0x1.ep+1023},
+        {0x1.ep+1023, -0x1.ep+1023},
+        {0x1.ep+1023, 0x1.4dc949203c649p+1022},
+        {0x1.04b76d17d33f4p+1022, 0x1.cdf3f7deaea4ep+1022},
+        {-0x1.c8p+1023, 0x1.52722a7b01a5dp+1023},
+        {-0x1.d666666666666p+1023, 0x1.5515d1f4c621cp+1023},
+        {0x1.f0e00781c38e1p+1022, 0x1.a2ab4e02e59d2p+1022},
+        {0x1.ep+1023, 0x1.4dc949203c654p+1022},
+        {0x1.ep+1023, 0x1.ep+1023},
+        {-0x1.ep+1023, 0x1.ep+1023}},
+       {{0, 0},
+        {0x1.f0915a7c1b0f7p+970, 0x1.33797e9ec67bcp+969},
+        {0x1.c7f46442c8d8p+968, 0x1.55bf75632ee69p+970}}}};
+  for (const auto& [a, b] : pairs) {
+    const OuterFace face = sum_of(a, b, {0, 0});
+    EXPECT_FALSE(find_conflict(face.rounded.vertices));
+    EXPECT_TRUE(is_counter_clockwise(face.rounded.vertices));
+    EXPECT_TRUE(std::isfinite(face.rounded.error_bound));
+  }
+}
+
 TEST(Rounding, IsNearestWithACertifiedBound) {
   Random random(32);
   int inexact = 0;

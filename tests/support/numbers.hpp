@@ -22,7 +22,7 @@ inline Rational rational(double x) { return Rational(x); }
 inline double attacking_double(Random& random) {
   const double sign = uniform(random, 0, 1) == 0 ? 1 : -1;
   const double mantissa = 1 + std::ldexp(static_cast<double>(random() >> 12), -52);
-  switch (uniform(random, 0, 9)) {
+  switch (uniform(random, 0, 10)) {
     case 0:
     case 1:
       return sign * uniform(random, 0, 4);
@@ -38,6 +38,8 @@ inline double attacking_double(Random& random) {
       return sign * std::ldexp(mantissa, uniform(random, -40, 40));
     case 7:
       return sign * std::ldexp(mantissa, uniform(random, -1022, 1023));
+    case 9:
+      return sign * (std::numeric_limits<double>::max() - uniform(random, 0, 1) * 0x1p971);
     case 8:
       return sign * uniform(random, 0, 5) * std::numeric_limits<double>::denorm_min();
     default:
