@@ -56,15 +56,19 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, 
 }
 
 // At least the distance of p from the segment ab: that to a point near its foot, whose
-// coordinates are off by a few units in the last place at most.
-double distance_bound(const Point& p, const Point& a, const Point& b, double unit) {
+// coordinates are off by a few units in the last place at most. Scaled down where squares would
+// overflow: what the smaller coordinates lose is nothing beside a unit.
+double distance_bound(Point p, Point a, Point b, double unit) {
+  const double scale = unit > 0x1p400 ? 0x1p-600 : 1;
+  for (Point* const point : {&p, &a, &b}) {
+    *point = {point->x * scale, point->y * scale};
+  }
   const double dx = b.x - a.x;
   const double dy = b.y - a.y;
   const double square = dx * dx + dy * dy;
   const double foot = ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
   const double t = foot > 0 ? std::min(foot, 1.0) : 0.0;
-  const Point near = t > 0 ? Point{a.x + t * dx, a.y + t * dy} : a;  // dx may be infinite
-  return length_bound(p.x - near.x, p.y - near.y) + 8 * unit;
+  return length_bound(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) / scale + 8 * unit;
 }
 
 // At least the distance of a vertex of N that no edge of O comes from to O as placed.

@@ -20,7 +20,7 @@ namespace {
 struct Chain {
   std::vector<Point> points;
   std::vector<Index> number;
-  std::vector<std::int8_t> turn;
+  std::vector<int> turn;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -64,9 +64,8 @@ void find_turns(Chain& chain) {
   Tally tally;
   chain.turn.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    const int turn = orientation(chain.points[chain.previous(i)], chain.points[i],
-                                 chain.points[chain.next(i)], tally);
-    chain.turn.push_back(static_cast<std::int8_t>(turn));
+    chain.turn.push_back(orientation(chain.points[chain.previous(i)], chain.points[i],
+                                     chain.points[chain.next(i)], tally));
   }
 }
 
