@@ -388,8 +388,12 @@ class Walker {
       return directions_.angle(rank, operands_.rank(t.edge));
     };
     const Line t = line_of(e);
-    if (best && angle(t) >= angle(*best) && (angle(t) > angle(*best) || !preferred(t, *best))) {
-      return;
+    if (best) {
+      const Rank left = angle(t);
+      const Rank best_left = angle(*best);
+      if (left > best_left || (left == best_left && !preferred(t, *best))) {
+        return;
+      }
     }
     if (leaves(t, end_of(s.edge))) {
       best = t;

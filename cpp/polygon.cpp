@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -118,21 +119,22 @@ void take_corners(const Chain& chain, Polygon& polygon) {
   }
   const std::size_t n = corners.size();
   const int left = chain.turn[corners[first]];
+  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end());
+  if (left < 0) {
+    std::reverse(corners.begin() + 1, corners.end());
+  }
   polygon.vertices.reserve(n);
   polygon.vertex_number.reserve(n);
   polygon.edge_number.reserve(n);
   polygon.convex.reserve(n);
   polygon.is_convex = true;
-  std::size_t place = first;
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t i = corners[place];
+  for (const std::size_t i : corners) {
     const bool is_convex = chain.turn[i] == left;
     polygon.vertices.push_back(chain.points[i]);
     polygon.vertex_number.push_back(chain.number[i]);
     polygon.edge_number.push_back(chain.number[left > 0 ? i : chain.previous(i)]);
     polygon.convex.push_back(is_convex ? 1 : 0);
     polygon.is_convex = polygon.is_convex && is_convex;
-    place = left > 0 ? (place + 1 == n ? 0 : place + 1) : (place == 0 ? n : place) - 1;
   }
 }
 

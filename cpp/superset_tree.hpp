@@ -27,8 +27,8 @@ class SupersetTree {
   // For so many edges as count_superset() says, most_edges at most. O(n + m + edges).
   SupersetTree(const Operands& operands, const RankedEdges& ranked, std::size_t size);
 
-  // The boxes of the children of one node, in units of `unit`. Those that are missing hold no
-  // point.
+  // The boxes of the children of one node, in the unit of the tree. Those that are missing hold
+  // no point.
   struct Block {
     enum Side : std::uint8_t { x_low, y_low, x_high, y_high };
     float sides[4][EightLanes::width];
@@ -38,11 +38,11 @@ class SupersetTree {
 
   // A piece of an edge, from `from` to `to` in relative coordinates, as a place to search.
   //
-  // The unit is a power of two from the extents of the sum on: in it, all coordinates are 1 at
-  // most. With v = 2^-24, half the distance from 1 to the next float: a side of a box is off by
-  // v, as is an end of the piece, and `slack` is 16v. The direction of the edge, its larger part
-  // being 1, is off by v, so that an offset from its line, at most 2 away, is off by 2v for the
-  // direction, 2v for the point and 8v for products and sums; `slack` is more.
+  // The unit of the tree is a power of two from the extents of the sum on: in it, all coordinates
+  // are 1 at most. With v = 2^-24, half the distance from 1 to the next float: a side of a box is
+  // off by v, as is an end of the piece, and `slack` is 16v. The direction of the edge, its larger
+  // part being 1, is off by v, so that an offset from its line, at most 2 away, is off by 2v for
+  // the direction, 2v for the point and 8v for products and sums; `slack` is more.
   class Piece {
    public:
     Piece(const SupersetTree& tree, const SumEdge& s, const Point& origin, const Point& from,
@@ -110,7 +110,7 @@ class SupersetTree {
     stack[0] = {0, 0};
     for (std::uint32_t count = 1; count > 0;) {
       const Node node = stack[--count];
-      unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]);
+      const unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]);
       const std::uint32_t children = EightLanes::width * node.index;
       if (node.level + 1 == levels_) {
         // Missing ones overlap where numbers have overflowed.
@@ -141,7 +141,7 @@ class SupersetTree {
     std::uint32_t index;
   };
 
-  double scale_;                                // one by the unit
+  double scale_;                                // 1 / unit
   std::vector<PairEdge> edges_;                 // in the order of the boxes of the last level
   std::vector<Block> blocks_;                   // from the root's to those of edges
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end

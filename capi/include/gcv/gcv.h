@@ -546,7 +546,8 @@ typedef struct gcv_stats {
   uint64_t candidate_edges;
   /** Predicates settled by doubles with a proven error bound or by indices. */
   uint64_t predicates_filtered;
-  /** Predicates settled by integers of at most 512 bits, without heap memory. */
+  /** Predicates settled by pairs of doubles or integers of at most 512 bits, without heap memory.
+   */
   uint64_t predicates_fixed_width;
   /** Predicates that needed arbitrary-precision arithmetic. */
   uint64_t predicates_rational;

@@ -171,7 +171,7 @@ pub struct Stats {
     pub candidate_edges: u64,
     /// Predicates settled by doubles with a proven error bound or by indices.
     pub predicates_filtered: u64,
-    /// Predicates settled by integers of at most 512 bits.
+    /// Predicates settled by pairs of doubles or integers of at most 512 bits.
     pub predicates_fixed_width: u64,
     /// Predicates that needed arbitrary-precision arithmetic.
     pub predicates_rational: u64,
