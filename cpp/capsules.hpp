@@ -12,11 +12,14 @@
 
 namespace gcv {
 
-// The chains of edges below the children of one node, from each vertex (x, y) to the next: no
-// point of a chain is further than its radius from the segment between its ends.
+// The chains of edges below the children of one node: no point of a chain is further than its
+// radius from the segment from (x0, y0) to (x1, y1), but for roundings: 24 u times the extents of
+// the ring. The segment of an edge is the edge itself.
 struct CapsuleBlock {
-  double x[ChainTree::width + 1];
-  double y[ChainTree::width + 1];
+  double x0[ChainTree::width];
+  double y0[ChainTree::width];
+  double x1[ChainTree::width];
+  double y1[ChainTree::width];
   double radius[ChainTree::width];
 };
 

@@ -55,7 +55,7 @@ class ImplicitSuperset {
     NodeSectors sectors;
     Box box;
     Offsets offsets;  // of the points below the node
-    Point from;       // the ends of its chain, and how far it is from the segment between them
+    Point from;       // the ends of its capsule
     Point to;
     double radius;
   };
@@ -71,7 +71,8 @@ class ImplicitSuperset {
     unsigned lanes;                   // those that can matter, as bits
     double lowest[ChainTree::width];  // their offsets
     double highest[ChainTree::width];
-    double offset[ChainTree::width + 1];  // those of the ends of their chains
+    double from[ChainTree::width];  // those of the ends of their capsules
+    double to[ChainTree::width];
   };
 
   // Goes down from the roots. A place says where to look:
@@ -145,8 +146,8 @@ class ImplicitSuperset {
                          {sectors.edges[k], sectors.cones[k]},
                          block.boxes.box(k),
                          {look.lowest[k], look.highest[k]},
-                         {capsules.x[k], capsules.y[k]},
-                         {capsules.x[k + 1], capsules.y[k + 1]},
+                         {capsules.x0[k], capsules.y0[k]},
+                         {capsules.x1[k], capsules.y1[k]},
                          capsules.radius[k]};
         if (expand_a) {
           descend(child, b);
@@ -162,7 +163,7 @@ class ImplicitSuperset {
   template <class Place>
   [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
     const Box& box = tree.boxes.box;
-    const Point end{tree.capsules.front().x[0], tree.capsules.front().y[0]};
+    const Point end{tree.capsules.front().x0[0], tree.capsules.front().y0[0]};
     return {{0, 0},
             {~Sectors{0}, ~Sectors{0}},
             box,

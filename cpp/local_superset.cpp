@@ -56,8 +56,8 @@ class LocalSuperset::Band {
       return;
     }
     const CapsuleBlock& capsules = block.capsules;
-    const Lanes from = dx_ * Lanes::load(capsules.y) - dy_ * Lanes::load(capsules.x);
-    const Lanes to = dx_ * Lanes::load(capsules.y + 1) - dy_ * Lanes::load(capsules.x + 1);
+    const Lanes from = dx_ * Lanes::load(capsules.y0) - dy_ * Lanes::load(capsules.x0);
+    const Lanes to = dx_ * Lanes::load(capsules.y1) - dy_ * Lanes::load(capsules.x1);
     const Lanes lowest = smaller(from, to) - length_ * Lanes::load(capsules.radius);
     lowest.store(look.lowest);
     lowest.store(look.highest);  // which no band asks for

@@ -18,8 +18,8 @@ namespace gcv {
 // the superset edges that cross or touch it.
 //
 // With u times the extents of both polygons, uE, as the unit: a box side is off by 2, an end
-// of the piece by 5. Of the offset from the line of s, times |dx| + |dy|: the end of a chain
-// is off by 1, its radius by 8, `origin` by 2, and the products and sums of all add 20.
+// of the piece by 5. Of the offset from the line of s, times |dx| + |dy|: a capsule is off by 24,
+// `origin` by 2, and the products and sums of all add 20.
 // `slack` is 64. The smallest normal double covers underflow. Where anything overflows,
 // nothing is dropped.
 class Piece {
@@ -53,11 +53,10 @@ class Piece {
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
             ImplicitSuperset::Look& look) const {
     const CapsuleBlock& capsules = block.capsules;
-    for (unsigned k = 0; k <= ChainTree::width; ++k) {
-      look.offset[k] = dx_ * capsules.y[k] - dy_ * capsules.x[k];
-    }
-    const Lanes from = Lanes::load(look.offset);
-    const Lanes to = Lanes::load(look.offset + 1);
+    const Lanes from = dx_ * Lanes::load(capsules.y0) - dy_ * Lanes::load(capsules.x0);
+    const Lanes to = dx_ * Lanes::load(capsules.y1) - dy_ * Lanes::load(capsules.x1);
+    from.store(look.from);
+    to.store(look.to);
     const Lanes radius = length_ * Lanes::load(capsules.radius);
     const Lanes lowest = smaller(from, to) - radius;
     const Lanes highest = larger(from, to) + radius;
@@ -69,7 +68,7 @@ class Piece {
     look.lanes = gcv::overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
                                                 box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~apart;
-    if (look.lanes != 0 && other.radius == 0) {
+    if (look.lanes != 0) {
       look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();
     }
   }
@@ -88,10 +87,10 @@ class Piece {
     std::uint32_t lane[ChainTree::width];
     unsigned count = 0;
     for_each_lane(look.lanes, [&](std::uint32_t k) {
-      const double fraction = (middle - look.offset[k]) / (look.offset[k + 1] - look.offset[k]);
+      const double fraction = (middle - look.from[k]) / (look.to[k] - look.from[k]);
       const double t = fraction > 0 ? std::min(fraction, 1.0) : 0.0;
-      const double along = dx_ * (capsules.x[k] + t * (capsules.x[k + 1] - capsules.x[k])) +
-                           dy_ * (capsules.y[k] + t * (capsules.y[k + 1] - capsules.y[k]));
+      const double along = dx_ * (capsules.x0[k] + t * (capsules.x1[k] - capsules.x0[k])) +
+                           dy_ * (capsules.y0[k] + t * (capsules.y1[k] - capsules.y0[k]));
       unsigned place = count++;
       for (; place > 0 && along < key[place - 1]; --place) {
         key[place] = key[place - 1];
@@ -117,10 +116,10 @@ class Piece {
   // Lanes whose sums with the other node lie beside the piece, seen along their chains.
   [[nodiscard]] LaneMask apart_along_chains(const CapsuleBlock& capsules,
                                             const ImplicitSuperset::Node& other) const {
-    const Lanes x = Lanes::load(capsules.x);
-    const Lanes y = Lanes::load(capsules.y);
-    const Lanes dx = Lanes::load(capsules.x + 1) - x;
-    const Lanes dy = Lanes::load(capsules.y + 1) - y;
+    const Lanes x = Lanes::load(capsules.x0);
+    const Lanes y = Lanes::load(capsules.y0);
+    const Lanes dx = Lanes::load(capsules.x1) - x;
+    const Lanes dy = Lanes::load(capsules.y1) - y;
     const auto offset = [&](const Point& p) { return p.y * dx - p.x * dy; };
     const Lanes chain = dx * y - dy * x;
     const Lanes first = offset(other.from);
@@ -143,8 +142,8 @@ class Piece {
     const double chain = offset(other.from);
     const double begin = offset(from_) - chain;
     const double end = offset(to_) - chain;
-    const Lanes first = dx * Lanes::load(capsules.y) - dy * Lanes::load(capsules.x);
-    const Lanes second = dx * Lanes::load(capsules.y + 1) - dy * Lanes::load(capsules.x + 1);
+    const Lanes first = dx * Lanes::load(capsules.y0) - dy * Lanes::load(capsules.x0);
+    const Lanes second = dx * Lanes::load(capsules.y1) - dy * Lanes::load(capsules.x1);
     const double size = std::abs(dx) + std::abs(dy);
     const Lanes reach = size * (Lanes::load(capsules.radius) + (other.radius + margin_)) +
                         std::numeric_limits<double>::min();
