@@ -344,7 +344,8 @@ class Walker {
     if (angle > directions_.half_turn) {
       return consider_event(s, place, e, step.event);
     }
-    if (angle < directions_.half_turn && !step.event && comes_near(e, end)) {
+    if (angle < directions_.half_turn && !step.event && comes_near(e, end) &&
+        !ends_with(s.edge, e)) {
       consider_onwards(s, e, step.onwards);
     }
     return false;
@@ -398,6 +399,13 @@ class Walker {
     if (leaves(t, end_of(s.edge))) {
       best = t;
     }
+  }
+
+  // Do both edges end in the same sum of vertices?
+  [[nodiscard]] bool ends_with(const PairEdge& s, const PairEdge& e) const {
+    const Place p = end_of(s);
+    const Place q = end_of(e);
+    return p.i == q.i && p.j == q.j;
   }
 
   // Can the edge pass through p?
