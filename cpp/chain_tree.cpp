@@ -16,15 +16,15 @@ Box join(const ChainTree::Block& block) {
   return join(join(block.box(0), block.box(1)), join(block.box(2), block.box(3)));
 }
 
-// The tree over so many edges, whose boxes box_of_edge(k) gives.
-template <class BoxOfEdge>
-ChainTree build(std::size_t edges, BoxOfEdge box_of_edge) {
+}  // namespace
+
+ChainTree build_chain_tree(std::span<const Point> ring) {
   constexpr std::uint32_t width = ChainTree::width;
   ChainTree tree;
-  tree.edges = static_cast<std::uint32_t>(edges);
+  const auto edges = static_cast<std::uint32_t>(ring.size());
   std::uint32_t counts[ChainTree::most_depths];  // of the blocks, from those of edges up
   std::size_t depths = 0;
-  auto count = static_cast<std::uint32_t>(edges);
+  std::uint32_t count = edges;
   do {
     count = (count + width - 1) / width;
     counts[depths++] = count;
@@ -36,13 +36,14 @@ ChainTree build(std::size_t edges, BoxOfEdge box_of_edge) {
     total += counts[depths - 1 - depth];
   }
   tree.blocks.resize(total);
-  const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::size_t lanes,
+  const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::uint32_t lanes,
                         const auto& box) {
     for (std::uint32_t k = 0; k < blocks * width; ++k) {
       tree.blocks[first + k / width].put(k % width, k < lanes ? box(k) : nothing);
     }
   };
-  fill(tree.first_block.back(), counts[0], edges, box_of_edge);
+  fill(tree.first_block.back(), counts[0], edges,
+       [&](std::uint32_t k) { return box_of(ring[k], ring[k + 1 == edges ? 0 : k + 1]); });
   for (std::size_t level = 1; level < depths; ++level) {
     const std::size_t depth = depths - 1 - level;
     fill(tree.first_block[depth], counts[level], counts[level - 1],
@@ -50,22 +51,6 @@ ChainTree build(std::size_t edges, BoxOfEdge box_of_edge) {
   }
   tree.box = join(tree.blocks.front());
   return tree;
-}
-
-}  // namespace
-
-Box box_of(const Point& p, const Point& q) {
-  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-}
-
-ChainTree build_chain_tree(std::span<const Box> edges) {
-  return build(edges.size(), [&](std::size_t k) { return edges[k]; });
-}
-
-ChainTree build_chain_tree(std::span<const Point> ring) {
-  return build(ring.size(), [&](std::size_t k) {
-    return box_of(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]);
-  });
 }
 
 }  // namespace gcv

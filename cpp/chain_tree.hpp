@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A tree of boxes over the edges of a boundary chain, or others in an order in which
-// neighbours are near. Every node has up to four children, whose boxes lie side by side:
-// they are looked at together. The shape of the tree follows from the number of edges alone.
+// A tree of boxes over the edges of a boundary chain. Every node has up to four children, whose
+// boxes lie side by side: they are looked at together. The shape of the tree follows from the
+// number of edges alone.
 #pragma once
 
 #include <algorithm>
@@ -48,21 +48,11 @@ struct ChainTree {
     std::uint32_t index;
   };
 
-  std::uint32_t edges = 0;
   std::vector<Block> blocks;               // from the root's to those of edges
   std::vector<std::uint32_t> first_block;  // of the children of nodes of depth d
   Box box{};                               // the root's
 
   [[nodiscard]] bool is_edge(const Node& node) const { return node.depth == first_block.size(); }
-  // How many nodes have that depth, above that of the edges.
-  [[nodiscard]] std::uint32_t nodes_of_depth(std::uint32_t depth) const {
-    const std::size_t end = depth + 1 < first_block.size() ? first_block[depth + 1] : blocks.size();
-    return static_cast<std::uint32_t>(end) - first_block[depth];
-  }
-  // Is there such a node? Boxes that are missing can overlap only such as are not finite.
-  [[nodiscard]] bool has(const Node& node) const {
-    return node.index < (is_edge(node) ? edges : nodes_of_depth(node.depth));
-  }
   // The number of the block of a node's children.
   [[nodiscard]] std::uint32_t block_below(const Node& node) const {
     return first_block[node.depth] + node.index;
@@ -72,103 +62,15 @@ struct ChainTree {
   }
 };
 
-// The lanes of the boxes that are apart from the given one. Where numbers have overflowed,
-// they are not.
-inline LaneMask apart_from(const ChainTree::Block& block, const Box& box) {
-  return (Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
-         (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0);
-}
-
-// The other lanes, as bits.
+// The lanes whose boxes overlap the given one, as bits; all, where numbers have overflowed.
 inline unsigned overlapping(const ChainTree::Block& block, const Box& box) {
-  return ~apart_from(block, box).bits() & ChainTree::all_lanes;
+  return ~((Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
+           (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0))
+              .bits() &
+         ChainTree::all_lanes;
 }
-
-// The box of the segment pq.
-Box box_of(const Point& p, const Point& q);
-
-// The tree over edges with these boxes; at least one.
-ChainTree build_chain_tree(std::span<const Box> edges);
 
 // The tree over the edges of the closed ring.
 ChainTree build_chain_tree(std::span<const Point> ring);
-
-// The pairs of edges whose boxes overlap: calls visit(i, j) for each, once, until it returns
-// false or until so many pairs of nodes have been looked at.
-template <class Visit>
-class OverlappingPairs {
- public:
-  OverlappingPairs(const ChainTree& tree, std::uint64_t most_looks, Visit& visit)
-      : tree_(tree), looks_left_(most_looks), visit_(visit) {}
-
-  // Those of edges below the node. False where it was ended.
-  bool within(const ChainTree::Node& node) {
-    if (tree_.is_edge(node)) {
-      return true;
-    }
-    const ChainTree::Block& block = tree_.blocks[tree_.block_below(node)];
-    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
-      if (!(block.x0[lane] <= block.x1[lane])) {
-        break;
-      }
-      const ChainTree::Node child = ChainTree::child(node, lane);
-      unsigned later = overlapping(block, block.box(lane)) & ~0U << (lane + 1);
-      for (; later != 0; later &= later - 1) {
-        const auto other = static_cast<std::uint32_t>(std::countr_zero(later));
-        const ChainTree::Node sibling = ChainTree::child(node, other);
-        if (tree_.has(sibling) && !between(child, block.box(lane), sibling, block.box(other))) {
-          return false;
-        }
-      }
-      if (!within(child)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  // Those of one edge below each of two nodes, whose boxes overlap. False where it was ended.
-  bool between(const ChainTree::Node& a, const Box& box_a, const ChainTree::Node& b,
-               const Box& box_b) {
-    if (looks_left_-- == 0) {
-      return false;
-    }
-    if (a.depth > b.depth) {
-      return between(b, box_b, a, box_a);
-    }
-    if (tree_.is_edge(a)) {
-      return visit_(a.index, b.index);
-    }
-    const ChainTree::Block& block = tree_.blocks[tree_.block_below(a)];
-    for (unsigned lanes = overlapping(block, box_b); lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      const ChainTree::Node child = ChainTree::child(a, lane);
-      if (tree_.has(child) && !between(b, box_b, child, block.box(lane))) {
-        return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  const ChainTree& tree_;
-  std::uint64_t looks_left_;
-  Visit& visit_;
-};
-
-// False where it was ended.
-template <class Visit>
-bool visit_overlapping_pairs(const ChainTree& tree, std::uint64_t most_looks, Visit visit) {
-  return OverlappingPairs<Visit>(tree, most_looks, visit).within({0, 0});
-}
-
-// Calls visit(i, j) for all of them.
-template <class Visit>
-void for_each_overlapping_pair(const ChainTree& tree, Visit visit) {
-  visit_overlapping_pairs(tree, ~std::uint64_t{0}, [&](std::uint32_t i, std::uint32_t j) {
-    visit(i, j);
-    return true;
-  });
-}
 
 }  // namespace gcv

@@ -21,9 +21,17 @@ namespace gcv {
 // there are no more.
 using Sectors = std::uint64_t;
 
+// What searches allow for roundings of relative coordinates: 2^-47 times the extents of both
+// polygons.
+inline double slack_of(const Operands& operands) {
+  const Box& a = operands.a.bounds;
+  const Box& b = operands.b.bounds;
+  const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
+  return 0x1p-47 * extents + std::numeric_limits<double>::min();
+}
+
 // How far the computed offset of a point of the sum from a line with direction (dx, dy), in
 // relative coordinates, can be from the exact one: infinite where an offset can overflow.
-// `slack` is 2^-47 times the extents of both polygons.
 inline double offset_tolerance(double dx, double dy, double slack) {
   const double size = std::abs(dx) + std::abs(dy);
   const double largest = size * (slack * 0x1p48);

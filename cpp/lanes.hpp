@@ -4,7 +4,9 @@
 // machines have instructions for: each operation is that of separate numbers, to the bit.
 #pragma once
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 
@@ -118,5 +120,11 @@ struct EightLanes {
   friend EightMask operator<(const EightLanes& p, float x) { return {p.low < x, p.high < x}; }
   friend EightMask operator>(const EightLanes& p, float x) { return {p.low > x, p.high > x}; }
 };
+
+// A power of two by which the extents become 1 at most, and above 1/4 unless they are next to
+// nothing; 0 where they have overflowed.
+inline double scale_to_one(double extents) {
+  return std::isfinite(extents) ? std::ldexp(1.0, -std::max(std::ilogb(extents), -1000) - 1) : 0;
+}
 
 }  // namespace gcv

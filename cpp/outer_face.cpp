@@ -88,13 +88,6 @@ void append(std::vector<Element>& list, std::vector<Element>& elements) {
   }
 }
 
-double slack_of(const Operands& operands) {
-  const Box& a = operands.a.bounds;
-  const Box& b = operands.b.bounds;
-  const double extents = ((a.x1 - a.x0) + (a.y1 - a.y0)) + ((b.x1 - b.x0) + (b.y1 - b.y0));
-  return 64 * unit_roundoff * extents + std::numeric_limits<double>::min();
-}
-
 // The superset in one of two forms: all of it in a tree where it is small, or else implicit.
 class Superset {
  public:

@@ -28,6 +28,11 @@ struct Box {
   double x0, y0, x1, y1;
 };
 
+// The box of the segment pq.
+inline Box box_of(const Point& p, const Point& q) {
+  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+}
+
 // The point a + b of the sum.
 struct SumPoint {
   Point a;

@@ -16,7 +16,7 @@
 #include <tuple>
 #include <vector>
 
-#include "chain_tree.hpp"
+#include "overlapping_pairs.hpp"
 #include "parallel.hpp"
 #include "predicates.hpp"
 
@@ -179,55 +179,22 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
   return segments_meet(ring[e], ring[next(e)], ring[f], ring[next(f)], tally);
 }
 
-bool boxes_overlap(const Box& a, const Box& b) {
-  return !((b.x0 > a.x1) | (b.x1 < a.x0) | (b.y0 > a.y1) | (b.y1 < a.y0));
-}
-
-// Each edge with each later one: for a few edges, the fastest way.
-std::optional<Conflict> compare_all(std::span<const Point> ring) {
-  const std::size_t n = ring.size();
-  Tally tally;
-  for (std::size_t e = 0; e < n; ++e) {
-    const Box box = box_of(ring[e], ring[e + 1 == n ? 0 : e + 1]);
-    for (std::size_t f = e + 1; f < n; ++f) {
-      if (boxes_overlap(box, box_of(ring[f], ring[f + 1 == n ? 0 : f + 1])) &&
-          conflicting(ring, e, f, tally)) {
-        return Conflict{e, f};
-      }
-    }
-  }
-  return std::nullopt;
-}
-
 // Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
-// few others, and take a third of the time of the sweep. On several threads, each node of some
-// depth is a part of the work: its own pairs, and those with later nodes.
+// few others, and take a fraction of the time of the sweep. On several threads, each node of some
+// level is a part of the work: its own pairs, and those with later nodes.
 bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
-  constexpr std::uint64_t looks_per_edge = 6;
+  constexpr std::uint64_t pairs_per_edge = 8;
   constexpr std::size_t many_edges = 4096;
-  const ChainTree tree = build_chain_tree(ring);
-  const std::uint32_t depth = threads > 1 && ring.size() > many_edges ? 3 : 0;
-  const std::uint32_t parts = tree.nodes_of_depth(depth);
-  const auto box_of_node = [&](std::uint32_t k) {
-    return depth == 0 ? tree.box
-                      : tree.blocks[tree.first_block[depth - 1] + k / ChainTree::width].box(
-                            k % ChainTree::width);
-  };
+  const OverlappingPairs pairs(ring);
+  const std::uint32_t level =
+      pairs.last_level() - (threads > 1 && ring.size() > many_edges ? 2 : 0);
+  const std::uint32_t parts = pairs.nodes(level);
   std::atomic<bool> seen{true};
-  for_each_in_parallel(parts, threads, [&](std::size_t number) {
-    const auto k = static_cast<std::uint32_t>(number);
+  for_each_in_parallel(parts, threads, [&](std::size_t part) {
     Tally tally;
-    const auto apart = [&](std::size_t e, std::size_t f) {
-      return !conflicting(ring, e, f, tally);
-    };
-    OverlappingPairs pairs(tree, looks_per_edge * ring.size() / parts, apart);
-    bool all_apart = pairs.within({depth, k});
-    for (std::uint32_t later = k + 1; all_apart && later < parts; ++later) {
-      if (boxes_overlap(box_of_node(k), box_of_node(later))) {
-        all_apart = pairs.between({depth, k}, box_of_node(k), {depth, later}, box_of_node(later));
-      }
-    }
-    if (!all_apart) {
+    if (!pairs.visit_from(
+            level, static_cast<std::uint32_t>(part), pairs_per_edge * ring.size() / parts,
+            [&](std::size_t e, std::size_t f) { return !conflicting(ring, e, f, tally); })) {
       seen = false;
     }
   });
@@ -237,7 +204,6 @@ bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
 }  // namespace
 
 std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned threads) {
-  constexpr std::size_t few = 32;
   const std::size_t n = ring.size();
   Tally tally;
   if (is_convex_ring(ring, [&](std::size_t i) {
@@ -245,9 +211,6 @@ std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned thre
                            tally);
       })) {
     return std::nullopt;
-  }
-  if (n <= few) {
-    return compare_all(ring);
   }
   return is_soon_seen_simple(ring, threads) ? std::nullopt : Sweep(ring).run();
 }
@@ -263,7 +226,7 @@ bool is_counter_clockwise(std::span<const Point> ring) {
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
   std::vector<Conflict> conflicts;
   Tally tally;
-  for_each_overlapping_pair(build_chain_tree(ring), [&](std::size_t e, std::size_t f) {
+  OverlappingPairs(ring).visit_all([&](std::size_t e, std::size_t f) {
     if (conflicting(ring, e, f, tally)) {
       conflicts.push_back({std::min(e, f), std::max(e, f)});
     }
@@ -276,11 +239,11 @@ std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
 }
 
 std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring) {
-  constexpr std::uint64_t looks_per_edge = 64;
+  constexpr std::uint64_t pairs_per_edge = 64;
   std::vector<std::uint8_t> is_wrong(ring.size());
   Tally tally;
-  const bool all_seen = visit_overlapping_pairs(
-      build_chain_tree(ring), looks_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
+  const bool all_seen = OverlappingPairs(ring).visit_some(
+      pairs_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
         if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
           is_wrong[e] = is_wrong[f] = 1;
         }

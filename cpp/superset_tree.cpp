@@ -97,13 +97,10 @@ FloatBox join(const SupersetTree::Block& block) {
   return box;
 }
 
-// A power of two by which the extents of the sum become 1 at most, and above 1/4 unless they are
-// next to nothing; 0 where they have overflowed.
 double scale_of(const Operands& operands) {
   const Box& a = operands.a.bounds;
   const Box& b = operands.b.bounds;
-  const double extents = std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0));
-  return std::isfinite(extents) ? std::ldexp(1.0, -std::max(std::ilogb(extents), -1000) - 1) : 0;
+  return scale_to_one(std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0)));
 }
 
 }  // namespace

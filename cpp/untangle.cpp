@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "area.hpp"
-#include "chain_tree.hpp"
 #include "exact_numbers.hpp"
+#include "overlapping_pairs.hpp"
 #include "rounding.hpp"
 #include "simplicity.hpp"
 #include "to_double.hpp"
@@ -126,7 +126,7 @@ class SnapRounding {
       hot_.push_back(pixel_of(s.low));
       hot_.push_back(pixel_of(s.high));
     }
-    for_each_overlapping_pair(build_chain_tree(boxes), [&](std::size_t i, std::size_t j) {
+    OverlappingPairs(boxes).visit_all([&](std::size_t i, std::size_t j) {
       if (cross(segments_[i], segments_[j])) {
         hot_.push_back(pixel_of_crossing(segments_[i], segments_[j]));
       }
@@ -167,7 +167,7 @@ class SnapRounding {
                           ? Box{p.x - unit_.x, p.y - unit_.y, p.x + unit_.x, p.y + unit_.y}
                           : box_of(segments_[item.index].low, segments_[item.index].high));
     }
-    for_each_overlapping_pair(build_chain_tree(boxes), [&](std::size_t k, std::size_t l) {
+    OverlappingPairs(boxes).visit_all([&](std::size_t k, std::size_t l) {
       if (items[k].is_pixel != items[l].is_pixel) {
         const std::size_t i = items[items[k].is_pixel ? l : k].index;
         const Point& h = hot_[items[items[k].is_pixel ? k : l].index];

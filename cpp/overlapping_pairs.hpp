@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The pairs of boxes that overlap, of boxes in an order in which neighbours are near, such as
+// those of the edges of a ring: by a tree, in which every node has up to eight children, whose
+// boxes lie side by side and are looked at together.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "lanes.hpp"
+#include "point.hpp"
+
+namespace gcv {
+
+class OverlappingPairs {
+ public:
+  explicit OverlappingPairs(std::span<const Box> boxes);
+
+  // The boxes of the edges of a closed ring.
+  explicit OverlappingPairs(std::span<const Point> ring);
+
+  // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
+  [[nodiscard]] std::uint32_t last_level() const { return levels_ - 1; }
+  [[nodiscard]] std::uint32_t nodes(std::uint32_t level) const {
+    return first_block_[level + 1] - first_block_[level];
+  }
+
+  // Calls visit(i, j) for pairs, among them all of boxes that overlap, until it returns false:
+  // each pair once, of one box in that node and another in it or in a later node of its level.
+  // False where it was ended, by visit() or after so many pairs of boxes and of nodes.
+  template <class Visit>
+  bool visit_from(std::uint32_t level, std::uint32_t node, std::uint64_t most_pairs,
+                  Visit visit) const {
+    Search<Visit> search{*this, most_pairs, visit};
+    if (!search.within(level, node)) {
+      return false;
+    }
+    for (std::uint32_t later = node + 1; later < nodes(level); ++later) {
+      const FloatBox box = box_of_node(level, later);
+      if (overlap(box_of_node(level, node), box) && !search.between(level, node, later, box)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // The same for all pairs.
+  template <class Visit>
+  bool visit_some(std::uint64_t most_pairs, Visit visit) const {
+    return visit_from(last_level(), 0, most_pairs, visit);
+  }
+  template <class Visit>
+  void visit_all(Visit visit) const {
+    visit_some(std::numeric_limits<std::uint64_t>::max(), [&](std::size_t i, std::size_t j) {
+      visit(i, j);
+      return true;
+    });
+  }
+
+ private:
+  static constexpr std::uint32_t width = EightLanes::width;
+  static constexpr std::uint32_t most_levels = 11;  // of fewer than 2^32 boxes
+
+  // In floats, seen from one point and in a unit that brings the extents to about 1. Rounding
+  // keeps order: boxes that are apart there are apart.
+  struct FloatBox {
+    float x0;
+    float y0;
+    float x1;
+    float y1;
+  };
+  static bool overlap(const FloatBox& p, const FloatBox& q) {
+    return !(p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0);
+  }
+
+  // The boxes of the children of a node. Those that are missing hold no point.
+  struct Block {
+    float x0[width];
+    float y0[width];
+    float x1[width];
+    float y1[width];
+
+    [[nodiscard]] FloatBox box(std::uint32_t lane) const {
+      return {x0[lane], y0[lane], x1[lane], y1[lane]};
+    }
+    void put(std::uint32_t lane, const FloatBox& box) {
+      x0[lane] = box.x0;
+      y0[lane] = box.y0;
+      x1[lane] = box.x1;
+      y1[lane] = box.y1;
+    }
+    // The lanes whose boxes overlap the given one, as bits.
+    [[nodiscard]] unsigned overlapping(const FloatBox& box) const {
+      return ~((EightLanes::load(x0) > box.x1) | (EightLanes::load(x1) < box.x0) |
+               (EightLanes::load(y0) > box.y1) | (EightLanes::load(y1) < box.y0))
+                  .bits() &
+             EightLanes::all;
+    }
+  };
+
+  template <class Visit>
+  struct Search {
+    const OverlappingPairs& pairs;
+    std::uint64_t pairs_left;
+    Visit& visit;
+
+    // The pairs inside a node.
+    bool within(std::uint32_t level, std::uint32_t node) {
+      const Block& block = pairs.block(level, node);
+      const std::uint32_t lanes = pairs.children(level, node);
+      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+        const std::uint32_t child = width * node + lane;
+        const unsigned later = ~1U << lane & ~(~0U << lanes);
+        if (!with_children(level, child, block, block.box(lane), later, node) ||
+            (level > 0 && !within(level - 1, child))) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+    // The pairs of one box in each of two nodes of a level; the box of the second one is given.
+    bool between(std::uint32_t level, std::uint32_t first, std::uint32_t second,
+                 const FloatBox& box_of_second) {
+      const Block& p = pairs.block(level, first);
+      const Block& q = pairs.block(level, second);
+      const unsigned all_of_p = ~(~0U << pairs.children(level, first));
+      const unsigned all_of_q = ~(~0U << pairs.children(level, second));
+      for (unsigned lanes = p.overlapping(box_of_second) & all_of_p; lanes != 0;
+           lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        if (!with_children(level, width * first + lane, q, p.box(lane), all_of_q, second)) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+    // The pairs of one box in a child of that level and another in those children of a node.
+    bool with_children(std::uint32_t level, std::uint32_t child, const Block& block,
+                       const FloatBox& box_of_child, unsigned lanes, std::uint32_t node) {
+      for (lanes &= block.overlapping(box_of_child); lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        const std::uint32_t other = width * node + lane;
+        if (pairs_left-- == 0 ||
+            !(level == 0 ? visit(child, other)
+                         : between(level - 1, child, other, block.box(lane)))) {
+          return false;
+        }
+      }
+      return true;
+    }
+  };
+
+  template <class BoxOf>
+  void build(std::size_t boxes, BoxOf box_of);
+
+  [[nodiscard]] const Block& block(std::uint32_t level, std::uint32_t node) const {
+    return blocks_[first_block_[level] + node];
+  }
+  [[nodiscard]] std::uint32_t children(std::uint32_t level, std::uint32_t node) const {
+    const std::uint32_t all = level == 0 ? boxes_ : nodes(level - 1);
+    return all - width * node < width ? all - width * node : width;
+  }
+  // Not of the last level.
+  [[nodiscard]] FloatBox box_of_node(std::uint32_t level, std::uint32_t node) const {
+    return block(level + 1, node / width).box(node % width);
+  }
+
+  std::uint32_t boxes_;
+  std::uint32_t levels_ = 0;
+  std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
+  std::vector<Block> blocks_;
+};
+
+}  // namespace gcv

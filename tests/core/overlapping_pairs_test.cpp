@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The tree against all pairs of boxes, one by one.
+#include "overlapping_pairs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "generators.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::uniform;
+using Pair = std::pair<std::size_t, std::size_t>;
+
+// Boxes along a random path, some of them far away, at that scale.
+std::vector<Box> random_boxes(Random& random, std::size_t count, double scale) {
+  std::vector<Box> boxes;
+  Point at{1000, -1000};
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point to{at.x + uniform(random, -20, 20), at.y + uniform(random, -20, 20)};
+    const Box box = box_of(at, to);
+    boxes.push_back({box.x0 * scale, box.y0 * scale, box.x1 * scale, box.y1 * scale});
+    at = uniform(random, 0, 40) == 0 ? Point{at.x + 300, at.y - 100} : to;
+  }
+  return boxes;
+}
+
+bool overlap(const Box& a, const Box& b) {
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
+}
+
+TEST(OverlappingPairs, FindsEachPairOnceOnEveryLevel) {
+  Random random(17);
+  std::size_t visited = 0;
+  std::size_t possible = 0;
+  for (const std::size_t count : {1, 2, 7, 8, 9, 63, 64, 65, 200, 513, 1500}) {
+    for (const int exponent : {0, -1060, 1010}) {
+      const std::vector<Box> boxes = random_boxes(random, count, std::ldexp(1.0, exponent));
+      const OverlappingPairs pairs(boxes);
+      for (std::uint32_t level = 0; level <= pairs.last_level(); ++level) {
+        std::set<Pair> found;
+        for (std::uint32_t node = 0; node < pairs.nodes(level); ++node) {
+          EXPECT_TRUE(
+              pairs.visit_from(level, node, ~std::uint64_t{0}, [&](std::size_t i, std::size_t j) {
+                EXPECT_LT(i, j);
+                EXPECT_LT(j, count);
+                EXPECT_TRUE(found.insert({i, j}).second);
+                return true;
+              }));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+          for (std::size_t j = i + 1; j < count; ++j) {
+            if (overlap(boxes[i], boxes[j])) {
+              ASSERT_TRUE(found.count({i, j}) != 0);
+            }
+          }
+        }
+        visited += found.size();
+        possible += count * (count - 1) / 2;
+      }
+    }
+  }
+  EXPECT_LT(visited, possible / 10);
+}
+
+TEST(OverlappingPairs, EndWhereToldToOrAfterSoManyPairs) {
+  Random random(18);
+  const OverlappingPairs pairs(random_boxes(random, 100, 1));
+  int calls = 0;
+  EXPECT_FALSE(pairs.visit_some(1000000, [&](std::size_t, std::size_t) { return ++calls < 5; }));
+  EXPECT_EQ(calls, 5);
+  calls = 0;
+  EXPECT_FALSE(pairs.visit_some(9, [&](std::size_t, std::size_t) { return ++calls > 0; }));
+  EXPECT_LT(calls, 10);
+}
+
+}  // namespace
+}  // namespace gcv
