@@ -41,6 +41,17 @@ struct Operands {
   const Polygon& b;
   Directions directions;
 
+  // The sum of the vertices i and j in relative coordinates.
+  [[nodiscard]] Point relative(Index i, Index j) const {
+    const Point p = a.relative(i);
+    const Point q = b.relative(j);
+    return {p.x + q.x, p.y + q.y};
+  }
+  [[nodiscard]] Point relative_start(const PairEdge& e) const { return relative(e.i, e.j); }
+  [[nodiscard]] Point relative_end(const PairEdge& e) const {
+    return e.kind == PairEdge::translated ? relative(a.next(e.i), e.j) : relative(e.i, b.next(e.j));
+  }
+
   // Does vertex j of B contribute to edges of A of that rank, or vertex i of A to B's?
   [[nodiscard]] bool b_contributes(Index j, Rank rank) const {
     return contributes(b, directions.rank_b, j, rank);

@@ -26,8 +26,8 @@ double mean_edge_size(const Operands& operands) {
   double sum = 0;
   for (const Polygon* polygon : {&operands.a, &operands.b}) {
     for (Index i = 0; i < polygon->size(); ++i) {
-      const Point& p = polygon->relative[i];
-      const Point& q = polygon->relative[polygon->next(i)];
+      const Point p = polygon->relative(i);
+      const Point q = polygon->relative(polygon->next(i));
       sum += std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
     }
   }
@@ -98,14 +98,8 @@ void LocalSuperset::clear() {
 
 void LocalSuperset::add(const PairEdge& edge, const Box& wide) {
   const Operands& operands = superset_.operands();
-  const auto relative = [&](Index i, Index j) {
-    const Point& p = operands.a.relative[i];
-    const Point& q = operands.b.relative[j];
-    return Point{p.x + q.x, p.y + q.y};
-  };
-  const Point p = relative(edge.i, edge.j);
-  const Point q = edge.kind == PairEdge::translated ? relative(operands.a.next(edge.i), edge.j)
-                                                    : relative(edge.i, operands.b.next(edge.j));
+  const Point p = operands.relative_start(edge);
+  const Point q = operands.relative_end(edge);
   const bool apart = std::max(p.x, q.x) < wide.x0 || std::min(p.x, q.x) > wide.x1 ||
                      std::max(p.y, q.y) < wide.y0 || std::min(p.y, q.y) > wide.y1;
   if (!apart) {

@@ -247,22 +247,15 @@ class Walker {
     return angle < directions_.half_turn ? translated : corner;
   }
 
-  // The sum of the vertices i and j in relative coordinates.
-  [[nodiscard]] Point relative(Index i, Index j) const {
-    const Point& p = operands_.a.relative[i];
-    const Point& q = operands_.b.relative[j];
-    return {p.x + q.x, p.y + q.y};
-  }
-
   // A point on the line in relative coordinates.
   [[nodiscard]] Point relative_on(const Line& s, double parameter) const {
-    const Point origin = relative(s.edge.i, s.edge.j);
+    const Point origin = operands_.relative_start(s.edge);
     return {origin.x + parameter * s.at.dx, origin.y + parameter * s.at.dy};
   }
 
   // A place on s in relative coordinates, not beyond its exact position.
   [[nodiscard]] Point relative_position(const Line& s, const Place& place) const {
-    return place.is_sum ? relative(place.i, place.j)
+    return place.is_sum ? operands_.relative(place.i, place.j)
                         : relative_on(s, clamp_to_unit(place.parameter.lo));
   }
 
@@ -272,7 +265,8 @@ class Walker {
     const Point end = relative_on(s, 1);
     if (superset_.tree()) {
       Step step;
-      SupersetTree::Piece piece(*superset_.tree(), s.at, relative(s.edge.i, s.edge.j), from, end);
+      SupersetTree::Piece piece(*superset_.tree(), s.at, operands_.relative_start(s.edge), from,
+                                end);
       search(s, place, 1, end, step, piece,
              [&](const auto& visit) { superset_.tree()->search(piece, visit); });
       return step;
@@ -280,7 +274,7 @@ class Walker {
     const double length = std::max(std::abs(end.x - from.x), std::abs(end.y - from.y));
     if (local_->covers(from, end) || (length < local_->reach() && local_->gather(from, end))) {
       Step step;
-      const Point origin = relative(s.edge.i, s.edge.j);
+      const Point origin = operands_.relative_start(s.edge);
       local_->for_each_near(origin, s.at.dx, s.at.dy, end,
                             [&](const PairEdge& e) { consider(s, place, end, e, step); });
       return step;
@@ -293,7 +287,7 @@ class Walker {
   // as the one before.
   Step search_step(const Line& s, const Place& place, Point from, const Point& end) {
     const ImplicitSuperset& implicit = *superset_.implicit();
-    const double start = parameter_on(s, relative(s.edge.i, s.edge.j), from);
+    const double start = parameter_on(s, operands_.relative_start(s.edge), from);
     const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
     double parameter = start;
     double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
@@ -303,7 +297,7 @@ class Walker {
       const bool is_last = !(parameter + stride < limit);
       parameter = is_last ? limit : parameter + stride;
       const Point to = parameter < 1 ? relative_on(s, parameter) : end;
-      Piece piece(s.at, relative(s.edge.i, s.edge.j), from, to, slack_);
+      Piece piece(s.at, operands_.relative_start(s.edge), from, to, slack_);
       search(s, place, parameter, end, step, piece, [&](const auto& visit) {
         implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
       });
@@ -403,8 +397,7 @@ class Walker {
 
   // Can the edge pass through p?
   [[nodiscard]] bool comes_near(const PairEdge& e, const Point& p) const {
-    const Place end = end_of(e);
-    const Box box = box_of(relative(e.i, e.j), relative(end.i, end.j));
+    const Box box = box_of(operands_.relative_start(e), operands_.relative_end(e));
     return !(p.x < box.x0 - slack_ || p.x > box.x1 + slack_ || p.y < box.y0 - slack_ ||
              p.y > box.y1 + slack_);
   }

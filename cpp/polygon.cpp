@@ -245,13 +245,10 @@ void sort_directions(Polygon& polygon) {
 }
 
 void find_extremes(Polygon& polygon) {
-  const Point& origin = polygon.vertices.front();
-  polygon.bounds = {origin.x, origin.y, origin.x, origin.y};
+  polygon.bounds = box_of(polygon.vertices.front(), polygon.vertices.front());
   Box& bounds = polygon.bounds;
-  polygon.relative.reserve(polygon.size());
   for (Index i = 0; i < polygon.size(); ++i) {
     const Point& p = polygon.vertices[i];
-    polygon.relative.push_back({p.x - origin.x, p.y - origin.y});
     bounds = {std::min(bounds.x0, p.x), std::min(bounds.y0, p.y), std::max(bounds.x1, p.x),
               std::max(bounds.y1, p.y)};
     if (lexicographically_less(polygon.vertices[polygon.lexicographic_max], p)) {
@@ -289,8 +286,12 @@ Polygon make_polygon(std::span<const Point> boundary, const char* name) {
 
 const ChainIndex& Polygon::index() const {
   return index_.get([this] {
-    ChainIndex index{build_chain_tree(relative), {}};
-    index.capsules = build_capsules(index.tree, relative);
+    std::vector<Point> ring(size());
+    for (Index i = 0; i < size(); ++i) {
+      ring[i] = relative(i);
+    }
+    ChainIndex index{build_chain_tree(ring), {}};
+    index.capsules = build_capsules(index.tree, ring);
     return index;
   });
 }
@@ -299,9 +300,6 @@ Polygon reflected(const Polygon& polygon) {
   Polygon result = polygon;
   // 0 - x rather than -x: the reflection of 0 is 0, not -0.
   for (Point& p : result.vertices) {
-    p = {0.0 - p.x, 0.0 - p.y};
-  }
-  for (Point& p : result.relative) {
     p = {0.0 - p.x, 0.0 - p.y};
   }
   result.bounds = {0.0 - polygon.bounds.x1, 0.0 - polygon.bounds.y1, 0.0 - polygon.bounds.x0,

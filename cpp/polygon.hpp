@@ -45,9 +45,6 @@ struct Polygon {
   std::vector<std::uint8_t> upper;
   std::vector<Index> edge_of_line;  // one edge with that line direction
 
-  // The vertices relative to vertex 0, rounded: what searches prune with, far from the
-  // origin as well as near it. Each coordinate is off by at most u times its size.
-  std::vector<Point> relative;
   Box bounds{};
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;
@@ -56,7 +53,15 @@ struct Polygon {
   [[nodiscard]] Index next(Index i) const { return i + 1 == size() ? 0 : i + 1; }
   [[nodiscard]] Index previous(Index i) const { return (i == 0 ? size() : i) - 1; }
 
-  // Over `relative`. Sums with few superset edges do without.
+  // Vertex i relative to vertex 0, rounded: what searches prune with, far from the origin as
+  // well as near it. Each coordinate is off by at most u times its size.
+  [[nodiscard]] Point relative(Index i) const {
+    const Point& p = vertices[i];
+    const Point& origin = vertices.front();
+    return {p.x - origin.x, p.y - origin.y};
+  }
+
+  // Over relative vertices. Sums with few superset edges do without.
   [[nodiscard]] const ChainIndex& index() const;
 
  private:

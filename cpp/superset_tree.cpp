@@ -67,17 +67,12 @@ FloatBox box_of_edge(const Operands& operands, const PairEdge& e, double scale) 
   if (scale == 0) {
     return everything;
   }
-  const Polygon& a = operands.a;
-  const Polygon& b = operands.b;
-  const bool translated = e.kind == PairEdge::translated;
-  const Point& from_a = a.relative[e.i];
-  const Point& from_b = b.relative[e.j];
-  const Point& to_a = a.relative[translated ? a.next(e.i) : e.i];
-  const Point& to_b = b.relative[translated ? e.j : b.next(e.j)];
-  const auto x0 = static_cast<float>((from_a.x + from_b.x) * scale);
-  const auto y0 = static_cast<float>((from_a.y + from_b.y) * scale);
-  const auto x1 = static_cast<float>((to_a.x + to_b.x) * scale);
-  const auto y1 = static_cast<float>((to_a.y + to_b.y) * scale);
+  const Point from = operands.relative_start(e);
+  const Point to = operands.relative_end(e);
+  const auto x0 = static_cast<float>(from.x * scale);
+  const auto y0 = static_cast<float>(from.y * scale);
+  const auto x1 = static_cast<float>(to.x * scale);
+  const auto y1 = static_cast<float>(to.y * scale);
   return {{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)}};
 }
 

@@ -32,13 +32,7 @@ auto key(const PairEdge& e) { return std::tuple(e.kind, e.i, e.j); }
 
 // In relative coordinates.
 Segment segment(const Operands& operands, const PairEdge& e) {
-  const auto sum = [&](Index i, Index j) {
-    const Point& p = operands.a.relative[i];
-    const Point& q = operands.b.relative[j];
-    return Point{p.x + q.x, p.y + q.y};
-  };
-  return {sum(e.i, e.j), e.kind == PairEdge::translated ? sum(operands.a.next(e.i), e.j)
-                                                        : sum(e.i, operands.b.next(e.j))};
+  return {operands.relative_start(e), operands.relative_end(e)};
 }
 
 bool meet(const Segment& s, const Segment& t) {
