@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "point.hpp"
+
 namespace gcv {
 
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
@@ -83,6 +85,46 @@ inline DoubledCross doubled_cross(const DoubledNumber& vx, const DoubledNumber& 
   return {head, rounding_error(difference, tail, head),
           in_range ? 128 * unit_roundoff * unit_roundoff * size
                    : std::numeric_limits<double>::infinity()};
+}
+
+// lambda, where the line of t crosses that of s in o_s + lambda d_s, as `head` + `tail`, within
+// `error`; if is_fraction, it is exactly n / d.
+struct DoubledParameter {
+  double head;
+  double tail;
+  double error;
+  bool is_fraction;
+  double n;
+  double d;
+};
+
+// N / D with N = (o_t - o_s) x d_t and D = d_s x d_t, both with their signs changed.
+//
+// With |D| at least four times its error eD: the quotient of the exact numbers differs from
+// that of the computed ones by at most 2 (eN + |lambda| eD) / |D|. The remainder of a division
+// is a double; what is added to it, the tails of N and of lambda D, and the remainder itself are
+// below 3u |N| each, their roundings and those of the second quotient below 32u^2 |lambda|.
+inline DoubledParameter doubled_parameter(const SumEdge& s, const SumEdge& t) {
+  const DoubledNumber tx = doubled_sum(t.to.x, -t.from.x);
+  const DoubledNumber ty = doubled_sum(t.to.y, -t.from.y);
+  const SumPoint& from = s.origin;
+  const SumPoint& to = t.origin;
+  const DoubledCross n =
+      doubled_cross(tx, ty, doubled_sum(to.a.x, -from.a.x) + doubled_sum(to.b.x, -from.b.x),
+                    doubled_sum(to.a.y, -from.a.y) + doubled_sum(to.b.y, -from.b.y));
+  const DoubledCross d =
+      doubled_cross(tx, ty, doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y));
+  const double head = n.head / d.head;
+  const double tail = ((std::fma(-head, d.head, n.head) + n.tail) - head * d.tail) / d.head;
+  const double size = std::abs(head);
+  const double error =
+      2 * (n.error + size * d.error) / std::abs(d.head) + 32 * unit_roundoff * unit_roundoff * size;
+  return {head,
+          tail,
+          std::abs(d.head) > 4 * d.error ? error : std::numeric_limits<double>::infinity(),
+          n.error == 0 && d.error == 0 && d.head != 0,
+          n.head,
+          d.head};
 }
 
 }  // namespace gcv

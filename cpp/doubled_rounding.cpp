@@ -46,48 +46,8 @@ struct Origin {
   }
 };
 
-// lambda, in o_s + lambda d_s, as `head` + `tail`, within `error`; if is_fraction, it is
-// exactly n / d.
-struct Parameter {
-  double head;
-  double tail;
-  double error;
-  bool is_fraction;
-  double n;
-  double d;
-};
-
-// N / D with N = (o_t - o_s) x d_t and D = d_s x d_t, both with their signs changed.
-//
-// With |D| at least four times its error eD: the quotient of the exact numbers differs from
-// that of the computed ones by at most 2 (eN + |lambda| eD) / |D|. The remainder of a division
-// is a double; what is added to it, the tails of N and of lambda D, and the remainder itself are
-// below 3u |N| each, their roundings and those of the second quotient below 32u^2 |lambda|.
-Parameter parameter(const SumEdge& s, const SumEdge& t) {
-  const DoubledNumber tx = doubled_sum(t.to.x, -t.from.x);
-  const DoubledNumber ty = doubled_sum(t.to.y, -t.from.y);
-  const SumPoint& from = s.origin;
-  const SumPoint& to = t.origin;
-  const DoubledCross n =
-      doubled_cross(tx, ty, doubled_sum(to.a.x, -from.a.x) + doubled_sum(to.b.x, -from.b.x),
-                    doubled_sum(to.a.y, -from.a.y) + doubled_sum(to.b.y, -from.b.y));
-  const DoubledCross d =
-      doubled_cross(tx, ty, doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y));
-  const double head = n.head / d.head;
-  const double tail = ((std::fma(-head, d.head, n.head) + n.tail) - head * d.tail) / d.head;
-  const double size = std::abs(head);
-  const double error =
-      2 * (n.error + size * d.error) / std::abs(d.head) + 32 * unit_roundoff * unit_roundoff * size;
-  return {head,
-          tail,
-          std::abs(d.head) > 4 * d.error ? error : std::numeric_limits<double>::infinity(),
-          n.error == 0 && d.error == 0 && d.head != 0,
-          n.head,
-          d.head};
-}
-
 // The quotient n d / D, where all of it is a double.
-std::optional<double> exact_way(const Parameter& lambda, const DoubledNumber& d) {
+std::optional<double> exact_way(const DoubledParameter& lambda, const DoubledNumber& d) {
   const double product = lambda.n * d.head;
   const double quotient = product / lambda.d;
   if (lambda.is_fraction && d.is_double() &&
@@ -116,7 +76,8 @@ std::optional<RoundedNumber> rounded_way(const Origin& origin, double way, doubl
 // Beside the error of lambda, the roundings in the tail of the way and what is left out, the
 // product of two tails, are below 16u^2 of the way. The factor 2 is for the roundings of this
 // bound; its last part for underflow, where coordinates are below the largest allowed.
-std::optional<RoundedNumber> rounded_coordinate(const Origin& origin, const Parameter& lambda,
+std::optional<RoundedNumber> rounded_coordinate(const Origin& origin,
+                                                const DoubledParameter& lambda,
                                                 const DoubledNumber& d) {
   constexpr double largest = 0x1p300;
   constexpr double underflow = 0x1p-700;
@@ -145,7 +106,7 @@ std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shi
 // Where one of the edges is parallel to an axis, a coordinate is a sum.
 std::optional<RoundedVertex> rounded_crossing(const SumEdge& s, const SumEdge& t,
                                               const Point& shift) {
-  const Parameter lambda = parameter(s, t);
+  const DoubledParameter lambda = doubled_parameter(s, t);
   const Origin sx(s.origin.a.x, s.origin.b.x, shift.x);
   const Origin sy(s.origin.a.y, s.origin.b.y, shift.y);
   const auto x = t.from.x == t.to.x ? Origin(t.origin.a.x, t.origin.b.x, shift.x).rounded()

@@ -168,7 +168,21 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
   return {quotient - error, quotient + error};
 }
 
+// The tails are below 4u of the heads, and the roundings of their sum below 16u^2. The rounding of
+// the last sum keeps its sign. The smallest normal double covers quotients that underflow; other
+// underflows are far below the errors of numbers that are in range.
 int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+  const DoubledParameter p = doubled_parameter(s, t);
+  const DoubledParameter q = doubled_parameter(s, r);
+  const double head = p.head - q.head;
+  const double difference = head + (rounding_error(p.head, -q.head, head) + (p.tail - q.tail));
+  const double error = p.error + q.error +
+                       32 * unit_roundoff * unit_roundoff * (std::abs(p.head) + std::abs(q.head)) +
+                       std::numeric_limits<double>::min();
+  if (std::abs(difference) > 2 * error) {
+    ++tally.fixed_width;
+    return sign_of(difference);
+  }
   return exact::compare_crossings(s, t, r, tally);
 }
 
