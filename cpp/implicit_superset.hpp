@@ -79,15 +79,11 @@ class ImplicitSuperset {
     unsigned lanes;                   // those that can matter, as bits
     double lowest[ChainTree::width];  // their offsets
     double highest[ChainTree::width];
-    double from[ChainTree::width];  // those of the ends of their capsules
-    double to[ChainTree::width];
   };
 
   // Goes down from the roots. A place says where to look:
   //   offsets(box): those of a box;
-  //   look(block, other): at the block, the node of the other tree added to its nodes;
-  //   order(look, block, other, visit): calls visit(lane) for the lanes, the most promising
-  //     first.
+  //   look(block, other): at the block, the node of the other tree added to its nodes.
   // Calls visit(i, j) for pairs of edges that hold all superset edges in that place.
   template <class Place, class Visit>
   void search(Place& place, Visit visit) const {
@@ -148,7 +144,7 @@ class ImplicitSuperset {
                              (sectors.cones[k] & other.sectors.edges)) != 0;
         look.lanes &= ~(static_cast<unsigned>(!common) << k);
       }
-      place.order(look, block, other, [&](std::uint32_t k) {
+      for_each_lane(look.lanes, [&](std::uint32_t k) {
         const CapsuleBlock& capsules = block.capsules;
         const Node child{ChainTree::child(node.place, k),
                          {sectors.edges[k], sectors.cones[k]},

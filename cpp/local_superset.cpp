@@ -66,12 +66,6 @@ class LocalSuperset::Band {
                  ~(lowest > leftmost_ - other.offsets.lowest).bits();
   }
 
-  template <class Visit>
-  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block& /*block*/,
-             const ImplicitSuperset::Node& /*other*/, Visit visit) const {
-    for_each_lane(look.lanes, visit);
-  }
-
  private:
   Box box_;
   double dx_;

@@ -55,8 +55,6 @@ class Piece {
     const CapsuleBlock& capsules = block.capsules;
     const Lanes from = dx_ * Lanes::load(capsules.y0) - dy_ * Lanes::load(capsules.x0);
     const Lanes to = dx_ * Lanes::load(capsules.y1) - dy_ * Lanes::load(capsules.x1);
-    from.store(look.from);
-    to.store(look.to);
     const Lanes radius = length_ * Lanes::load(capsules.radius);
     const Lanes lowest = smaller(from, to) - radius;
     const Lanes highest = larger(from, to) + radius;
@@ -70,37 +68,6 @@ class Piece {
                  ~apart;
     if (look.lanes != 0) {
       look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();
-    }
-  }
-
-  // Those whose chains, as segments, cross the line of s earlier come first.
-  template <class Visit>
-  void order(const ImplicitSuperset::Look& look, const ImplicitSuperset::Block& block,
-             const ImplicitSuperset::Node& other, Visit visit) const {
-    if ((look.lanes & (look.lanes - 1)) == 0) {
-      for_each_lane(look.lanes, visit);
-      return;
-    }
-    const double middle = offset_ - (other.offsets.lowest + other.offsets.highest) / 2;
-    const CapsuleBlock& capsules = block.capsules;
-    double key[ChainTree::width];
-    std::uint32_t lane[ChainTree::width];
-    unsigned count = 0;
-    for_each_lane(look.lanes, [&](std::uint32_t k) {
-      const double fraction = (middle - look.from[k]) / (look.to[k] - look.from[k]);
-      const double t = fraction > 0 ? std::min(fraction, 1.0) : 0.0;
-      const double along = dx_ * (capsules.x0[k] + t * (capsules.x1[k] - capsules.x0[k])) +
-                           dy_ * (capsules.y0[k] + t * (capsules.y1[k] - capsules.y0[k]));
-      unsigned place = count++;
-      for (; place > 0 && along < key[place - 1]; --place) {
-        key[place] = key[place - 1];
-        lane[place] = lane[place - 1];
-      }
-      key[place] = along;
-      lane[place] = k;
-    });
-    for (unsigned k = 0; k < count; ++k) {
-      visit(lane[k]);
     }
   }
 
