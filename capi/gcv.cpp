@@ -560,10 +560,11 @@ gcv_status gcv_outer_face_edge_sources(const gcv_outer_face* face, gcv_edge_sour
                                        size_t capacity, size_t* required) {
   return guarded([&] {
     require(face, "face");
-    const std::vector<gcv::EdgeSource>& sources = face->face.sources;
-    fill(sources.size(), "edges", "out", out, capacity, required, [&](gcv_edge_source* to) {
-      std::transform(sources.begin(), sources.end(), to, public_source);
-    });
+    fill(face->face.exact.size(), "edges", "out", out, capacity, required,
+         [&](gcv_edge_source* to) {
+           const std::vector<gcv::EdgeSource> sources = gcv::edge_sources(face->face.exact);
+           std::transform(sources.begin(), sources.end(), to, public_source);
+         });
   });
 }
 

@@ -17,15 +17,12 @@ Walk merge_convex(const Operands& operands) {
   Walk walk;
   PairEdge arriving{};
   walk.vertices.reserve(left_of_a + left_of_b);
-  walk.leaving.reserve(left_of_a + left_of_b);
-  walk.arriving.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
     const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
     const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);
     const bool take_b = left_of_a == 0 || (left_of_b > 0 && (!take_a || angle == 0));
-    walk.vertices.push_back({true, i, j});
-    walk.leaving.push_back({take_a ? PairEdge::translated : PairEdge::corner, i, j});
-    walk.arriving.push_back(arriving);
+    const PairEdge leaving{take_a ? PairEdge::translated : PairEdge::corner, i, j};
+    walk.vertices.push_back({true, i, j, arriving, leaving});
     if (take_a) {
       arriving = {PairEdge::translated, i, j};
       i = a.next(i);
@@ -37,7 +34,7 @@ Walk merge_convex(const Operands& operands) {
       --left_of_b;
     }
   }
-  walk.arriving.front() = arriving;
+  walk.vertices.front().arriving = arriving;
   walk.steps = walk.vertices.size();
   return walk;
 }

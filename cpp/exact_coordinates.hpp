@@ -18,8 +18,8 @@ class ExactVertex {
       sum_ = {ring.a.polygon->vertices[vertex_.i], ring.b.polygon->vertices[vertex_.j]};
       grid_ = Grid{sum_.a, sum_.b, shift_};
     } else {
-      s_ = coordinates(*ring.a.polygon, *ring.b.polygon, ring.arriving[k]);
-      t_ = coordinates(*ring.a.polygon, *ring.b.polygon, ring.leaving[k]);
+      s_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.arriving);
+      t_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.leaving);
       grid_ = Grid{shift_};
       grid_.include(s_);
       grid_.include(t_);

@@ -28,8 +28,6 @@ struct ExactRing {
   Operand b;
   Point shift;  // added to every vertex
   std::vector<RingVertex> vertices;
-  std::vector<PairEdge> arriving;  // at vertex k
-  std::vector<PairEdge> leaving;   // from vertex k: ring edge k lies on it
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
 };

@@ -56,17 +56,25 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   Walk walk = walk_outer_face(operands, task, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
-  face.sources.reserve(walk.leaving.size());
-  for (const PairEdge& e : walk.leaving) {
-    face.sources.push_back(in_callers_numbers(superset_source(operands, e), pa, pb));
-  }
-  face.exact = {
-      a, b, shift, std::move(walk.vertices), std::move(walk.arriving), std::move(walk.leaving)};
+  face.exact = {a, b, shift, std::move(walk.vertices)};
   face.rounded = rounding == Rounding::nearest ? round_to_nearest(face.exact, task, tally)
                                                : round_outward(face.exact, task, tally);
   face.rounded.error_bound =
       sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
   return face;
+}
+
+std::vector<EdgeSource> edge_sources(const ExactRing& ring) {
+  const Polygon& a = *ring.a.polygon;
+  const Polygon& b = *ring.b.polygon;
+  Tally tally;
+  const Operands operands{a, b, merge_directions(a, b, tally)};
+  std::vector<EdgeSource> sources;
+  sources.reserve(ring.size());
+  for (const RingVertex& v : ring.vertices) {
+    sources.push_back(in_callers_numbers(superset_source(operands, v.leaving), a, b));
+  }
+  return sources;
 }
 
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b) {

@@ -25,8 +25,6 @@ struct Counts {
 
 struct OuterFace {
   ExactRing exact;
-  // The superset edge that each edge of the exact ring lies on, in the callers' numbers.
-  std::vector<EdgeSource> sources;
   RoundedRing rounded;
   Counts counts;
 };
@@ -35,6 +33,9 @@ struct OuterFace {
 // cancelled, internal.
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
                         Task& task);
+
+// The superset edge that each edge of the ring lies on, in the callers' numbers. O(n + m).
+std::vector<EdgeSource> edge_sources(const ExactRing& ring);
 
 // The explicit superset of a + b, its sources in the callers' numbers.
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);

@@ -131,8 +131,6 @@ class Walker {
   Arc run(const HullVertex& first, const HullVertex& last) {
     const std::size_t guess = std::min<std::size_t>(operands_.a.size() + operands_.b.size(), 4096);
     walk_.vertices.reserve(guess);
-    walk_.leaving.reserve(guess);
-    walk_.arriving.reserve(guess);
     Place place = sum_place(first.i, first.j);
     Line line = line_of(first_edge(first.i, first.j));
     append(place, line, line);
@@ -170,9 +168,7 @@ class Walker {
 
  private:
   void append(const Place& place, const Line& arriving, const Line& leaving) {
-    walk_.vertices.push_back({place.is_sum, place.i, place.j});
-    walk_.arriving.push_back(arriving.edge);
-    walk_.leaving.push_back(leaving.edge);
+    walk_.vertices.push_back({place.is_sum, place.i, place.j, arriving.edge, leaving.edge});
   }
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
@@ -495,11 +491,9 @@ Walk join(std::vector<Arc> arcs, Tally& tally) {
   Walk walk;
   const PairEdge* arriving = &arcs.back().last;
   for (Arc& arc : arcs) {
-    arc.walk.arriving.front() = *arriving;
+    arc.walk.vertices.front().arriving = *arriving;
     arriving = &arc.last;
     append(walk.vertices, arc.walk.vertices);
-    append(walk.arriving, arc.walk.arriving);
-    append(walk.leaving, arc.walk.leaving);
     walk.steps += arc.walk.steps;
     walk.candidates += arc.walk.candidates;
     tally += arc.tally;

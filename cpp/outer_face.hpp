@@ -19,16 +19,14 @@ struct RingVertex {
   bool is_sum;
   Index i;
   Index j;
+  PairEdge arriving;  // of collinear superset edges in a row, the last
+  PairEdge leaving;   // the first of them
 };
 
 // The outer face as the walk found it: counter-clockwise, from the lexicographically
-// smallest vertex, without collinear vertices. Edge k leaves vertex k; of collinear
-// superset edges in a row the first is kept in `leaving`, the last in `arriving`, which
-// arrives at vertex k.
+// smallest vertex, without collinear vertices. Edge k leaves vertex k.
 struct Walk {
   std::vector<RingVertex> vertices;
-  std::vector<PairEdge> leaving;
-  std::vector<PairEdge> arriving;
   std::uint64_t steps = 0;
   std::uint64_t candidates = 0;
 };

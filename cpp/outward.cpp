@@ -37,13 +37,9 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, 
   const auto growth = std::make_shared<const Polygon>(make_polygon(square, "square"));
   const Operands operands{*polygon, *growth, merge_directions(*polygon, *growth, tally)};
   Walk walk = walk_outer_face(operands, task, tally);
-  Grown grown{{{polygon, "the rounded ring"},
-               {growth, "the square"},
-               {0, 0},
-               std::move(walk.vertices),
-               std::move(walk.arriving),
-               std::move(walk.leaving)},
-              {}};
+  Grown grown{
+      {{polygon, "the rounded ring"}, {growth, "the square"}, {0, 0}, std::move(walk.vertices)},
+      {}};
   try {
     grown.placement = place_simply(grown.ring, task, tally);
   } catch (const Error& error) {
@@ -84,8 +80,9 @@ double lost_distance(const Grown& grown, double unit) {
   };
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t next = k + 1 == places.size() ? 0 : k + 1;
-    pass(grown.ring.arriving[k].i, grown.ring.leaving[k].i, places[k], places[k]);
-    pass(grown.ring.leaving[k].i, grown.ring.arriving[next].i, places[k], places[next]);
+    pass(grown.ring.vertices[k].arriving.i, grown.ring.vertices[k].leaving.i, places[k], places[k]);
+    pass(grown.ring.vertices[k].leaving.i, grown.ring.vertices[next].arriving.i, places[k],
+         places[next]);
   }
   return distance;
 }

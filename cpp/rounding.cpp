@@ -31,8 +31,8 @@ RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally)
   }
   const std::optional<RoundedVertex> in_doubles =
       v.is_sum ? rounded_sum({a.vertices[v.i], b.vertices[v.j]}, ring.shift)
-               : rounded_crossing(coordinates(a, b, ring.arriving[k]),
-                                  coordinates(a, b, ring.leaving[k]), ring.shift);
+               : rounded_crossing(coordinates(a, b, v.arriving), coordinates(a, b, v.leaving),
+                                  ring.shift);
   if (in_doubles) {
     ++tally.filtered;
     return *in_doubles;
@@ -60,14 +60,14 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
     return;
   }
   // A crossing is named by the edge that it lies on.
-  const bool is_sum = ring.vertices[k].is_sum;
-  const Index i = is_sum ? ring.vertices[k].i : ring.leaving[k].i;
-  const Index j = is_sum ? ring.vertices[k].j : ring.leaving[k].j;
+  const RingVertex& v = ring.vertices[k];
+  const Index i = v.is_sum ? v.i : v.leaving.i;
+  const Index j = v.is_sum ? v.j : v.leaving.j;
   throw Error(
       Status::range,
       "the %s coordinate of vertex %zu of the outer face, %s vertex %u of %s + vertex %u of "
       "%s, is beyond the largest double",
-      x_is_finite ? "y" : "x", k, is_sum ? "the sum" : "on an edge from the sum",
+      x_is_finite ? "y" : "x", k, v.is_sum ? "the sum" : "on an edge from the sum",
       ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
 }
 

@@ -77,6 +77,10 @@ static gcv_status exact_vertex(void) {
   return gcv_outer_face_exact_vertex(face, 0, text, sizeof text, &required);
 }
 static gcv_status wkt(void) { return gcv_outer_face_wkt(face, text, sizeof text, &required); }
+static gcv_status edge_sources(void) {
+  static gcv_edge_source sources[16];
+  return gcv_outer_face_edge_sources(face, sources, 16, &required);
+}
 static gcv_status face_polygon(void) { return gcv_outer_face_polygon(face, &new_polygon); }
 static gcv_status superset(void) { return gcv_superset_create(polygon, polygon, &new_superset); }
 
@@ -127,7 +131,6 @@ static void starve_in_child(const char *name, gcv_status (*call)(void)) {
 static void frugal_functions(void) {
   double number, bounds[4], vertices[32];
   size_t count;
-  gcv_edge_source sources[16];
   gcv_superset_edge edges[64];
   gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
   CHECK_OK(superset());
@@ -139,7 +142,6 @@ static void frugal_functions(void) {
   CHECK_OK(gcv_outer_face_vertex_count(face, &count));
   CHECK_OK(gcv_outer_face_vertices(face, vertices, 16, &count));
   CHECK_OK(gcv_outer_face_exact_vertex_count(face, &count));
-  CHECK_OK(gcv_outer_face_edge_sources(face, sources, 16, &count));
   CHECK_OK(gcv_outer_face_error_bound(face, &number));
   CHECK_OK(gcv_outer_face_area(face, &number));
   CHECK_OK(gcv_outer_face_stats(face, &stats));
@@ -163,6 +165,7 @@ int main(void) {
   starve_in_child("gcv_entrance_block", entrance);
   starve_in_child("gcv_outer_face_exact_vertex", exact_vertex);
   starve_in_child("gcv_outer_face_wkt", wkt);
+  starve_in_child("gcv_outer_face_edge_sources", edge_sources);
   starve_in_child("gcv_outer_face_polygon", face_polygon);
   starve_in_child("gcv_superset_create", superset);
   frugal_functions();

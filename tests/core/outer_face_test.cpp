@@ -110,10 +110,11 @@ TEST(OuterFace, SourcesAreTrue) {
     const Ring b = test::random_histogram(random, 4, 4);
     const OuterFace face = sum_of(a, b);
     const Ring& ring = face.rounded.vertices;
-    ASSERT_EQ(face.sources.size(), ring.size());
+    const std::vector<EdgeSource> sources = edge_sources(face.exact);
+    ASSERT_EQ(sources.size(), ring.size());
     const std::vector<SupersetEdge> edges = superset(make_polygon(a, "a"), make_polygon(b, "b"));
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      const EdgeSource& source = face.sources[i];
+      const EdgeSource& source = sources[i];
       const auto edge = std::find_if(edges.begin(), edges.end(), [&](const SupersetEdge& e) {
         return e.source.kind == source.kind && e.source.a == source.a && e.source.b == source.b;
       });

@@ -30,9 +30,7 @@ reference::FractionRing walked(const Polygon& a, const Polygon& b) {
   const ExactRing ring{{std::make_shared<Polygon>(a), "a"},
                        {std::make_shared<Polygon>(b), "b"},
                        {0, 0},
-                       std::move(walk.vertices),
-                       std::move(walk.arriving),
-                       std::move(walk.leaving)};
+                       std::move(walk.vertices)};
   reference::FractionRing fractions;
   for (std::size_t k = 0; k < ring.size(); ++k) {
     fractions.push_back(exact_vertex(ring, k));

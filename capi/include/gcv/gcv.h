@@ -472,8 +472,9 @@ typedef struct gcv_edge_source {
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
  * @param required  the number of edges.
- * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
- * Exactness: exact. Cost: O(n). Threads: any. @since 0.1
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
+ * Exactness: exact. Cost: O(n), with the vertices of both polygons in n; found anew by
+ * each call. Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_face *face,
                                                              gcv_edge_source *out, size_t capacity,
