@@ -81,8 +81,8 @@ struct Operands {
   }
 
  private:
-  [[nodiscard]] bool contributes(const Polygon& polygon, const std::vector<Rank>& ranks,
-                                 Index vertex, Rank rank) const {
+  [[nodiscard]] bool contributes(const Polygon& polygon, const Ranks& ranks, Index vertex,
+                                 Rank rank) const {
     const Rank in = ranks[polygon.previous(vertex)];
     return polygon.convex[vertex] != 0 &&
            directions.angle(in, rank) <= directions.angle(in, ranks[vertex]);

@@ -17,7 +17,7 @@ namespace gcv {
 // The edges of a polygon in the order of their ranks.
 class EdgesByRank {
  public:
-  EdgesByRank(const std::vector<Rank>& ranks, Rank half_turn)
+  EdgesByRank(const Ranks& ranks, Rank half_turn)
       : first_(2 * std::size_t{half_turn} + 1), edges_(ranks.size()) {
     for (const Rank rank : ranks) {
       ++first_[rank];
@@ -66,7 +66,7 @@ struct RankedEdges {
 
 // Calls visit(vertex, in, out) for each convex vertex of a polygon, with its cone.
 template <class Visit>
-void for_each_cone(const Polygon& polygon, const std::vector<Rank>& ranks, Visit visit) {
+void for_each_cone(const Polygon& polygon, const Ranks& ranks, Visit visit) {
   for (Index v = 0; v < polygon.size(); ++v) {
     if (polygon.convex[v] != 0) {
       visit(v, ranks[polygon.previous(v)], ranks[v]);

@@ -17,8 +17,8 @@ int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally&
               b.vertices[b.upper[j] != 0 ? j : j1], b.vertices[b.upper[j] != 0 ? j1 : j], tally);
 }
 
-std::vector<Rank> ranks(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
-  std::vector<Rank> result(polygon.size());
+Ranks ranks_of(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
+  Ranks result(polygon.size(), boost::container::default_init);
   for (Index i = 0; i < polygon.size(); ++i) {
     result[i] = rank_of_line[polygon.line_of_edge[i]] + (polygon.upper[i] != 0 ? 0 : half_turn);
   }
@@ -30,7 +30,8 @@ std::vector<Rank> ranks(const Polygon& polygon, const Rank* rank_of_line, Rank h
 Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   const auto lines_a = static_cast<Index>(a.edge_of_line.size());
   const auto lines_b = static_cast<Index>(b.edge_of_line.size());
-  std::vector<Rank> rank_of_line(std::size_t{lines_a} + lines_b);
+  boost::container::small_vector<Rank, 64> rank_of_line(std::size_t{lines_a} + lines_b,
+                                                        boost::container::default_init);
   Rank* const rank_of_line_a = rank_of_line.data();
   Rank* const rank_of_line_b = rank_of_line_a + lines_a;
   Rank rank = 0;
@@ -45,7 +46,7 @@ Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
       rank_of_line_b[lb++] = rank;
     }
   }
-  return {rank, ranks(a, rank_of_line_a, rank), ranks(b, rank_of_line_b, rank)};
+  return {rank, ranks_of(a, rank_of_line_a, rank), ranks_of(b, rank_of_line_b, rank)};
 }
 
 }  // namespace gcv

@@ -6,7 +6,7 @@
 // cones of contributing vertices are comparisons of ranks modulo 2K: no arithmetic.
 #pragma once
 
-#include <vector>
+#include <boost/container/small_vector.hpp>
 
 #include "polygon.hpp"
 #include "predicates.hpp"
@@ -15,10 +15,13 @@ namespace gcv {
 
 using Rank = Index;
 
+// The ranks of the edges of a polygon. Those of a small one need no memory of their own.
+using Ranks = boost::container::small_vector<Rank, 32>;
+
 struct Directions {
-  Rank half_turn = 0;        // K; a full turn is 2K ranks
-  std::vector<Rank> rank_a;  // of each edge of A
-  std::vector<Rank> rank_b;
+  Rank half_turn = 0;  // K; a full turn is 2K ranks
+  Ranks rank_a;        // of each edge of A
+  Ranks rank_b;
 
   // How far counter-clockwise `to` lies from `from`: in [0, 2K). 0 is the same
   // direction, (0, K) to the left, K the opposite, (K, 2K) to the right.

@@ -21,7 +21,7 @@ Sectors ImplicitSuperset::sectors(Rank first, Rank last) const {
 }
 
 std::vector<ImplicitSuperset::SectorBlock> ImplicitSuperset::node_sectors(
-    const Polygon& polygon, const std::vector<Rank>& ranks) const {
+    const Polygon& polygon, const Ranks& ranks) const {
   constexpr std::uint32_t width = ChainTree::width;
   const ChainTree& tree = polygon.index().tree;
   const std::vector<std::uint32_t>& first_block = tree.first_block;

@@ -177,7 +177,7 @@ class ImplicitSuperset {
             length_bound(box.x1 - box.x0, box.y1 - box.y0)};
   }
   [[nodiscard]] std::vector<SectorBlock> node_sectors(const Polygon& polygon,
-                                                      const std::vector<Rank>& ranks) const;
+                                                      const Ranks& ranks) const;
 
   const Operands& operands_;
   Tree a_;

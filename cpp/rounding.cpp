@@ -2,9 +2,11 @@
 #include "rounding.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "doubled_rounding.hpp"
@@ -71,6 +73,22 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
       ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
 }
 
+bool has_repetitions(const std::vector<Point>& places) {
+  return std::adjacent_find(places.begin(), places.end()) != places.end() ||
+         places.front() == places.back();
+}
+
+// Do the places, each of them once, make a simple ring, counter-clockwise?
+bool make_simple_ring(const std::vector<Point>& places, unsigned threads) {
+  std::vector<Point> without_repetitions;
+  std::span<const Point> ring = places;
+  if (has_repetitions(places)) {
+    without_repetitions = ring_through(places);
+    ring = without_repetitions;
+  }
+  return ring.size() >= 3 && !find_conflict(ring, threads) && is_counter_clockwise(ring);
+}
+
 // How many points of the first list, in any order, are not in the second.
 std::uint64_t count_missing(const std::vector<Point>& points, std::vector<Point> others) {
   std::sort(others.begin(), others.end(), lexicographically_less);
@@ -126,7 +144,8 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   };
   Placement placement;
   placement.places.resize(ring.size());
-  std::vector<Portion> portions((ring.size() + Task::portion - 1) / Task::portion);
+  boost::container::small_vector<Portion, 1> portions((ring.size() + Task::portion - 1) /
+                                                      Task::portion);
   for_each_in_parallel(portions.size(), task.threads(), [&](std::size_t number) {
     Portion& portion = portions[number];
     const std::size_t first = number * Task::portion;
@@ -151,9 +170,7 @@ std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& 
   if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
     return nearest;
   }
-  const std::vector<Point> through = ring_through(nearest.places);
-  if (through.size() >= 3 && !find_conflict(through, task.threads()) &&
-      is_counter_clockwise(through)) {
+  if (make_simple_ring(nearest.places, task.threads())) {
     return nearest;
   }
   std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);

@@ -13,8 +13,8 @@ namespace {
 // Calls visit(edge, vertex) for every edge of one polygon and every generalized contributing
 // vertex of the other.
 template <class Visit>
-void for_each_contribution(const std::vector<Rank>& edge_ranks, const Polygon& polygon,
-                           const std::vector<Rank>& ranks, Rank half_turn, Visit visit) {
+void for_each_contribution(const Ranks& edge_ranks, const Polygon& polygon, const Ranks& ranks,
+                           Rank half_turn, Visit visit) {
   const EdgesByRank edges(edge_ranks, half_turn);
   for_each_cone(polygon, ranks, [&](Index v, Rank in, Rank out) {
     edges.for_each(in, out, [&](Index edge) { visit(edge, v); });

@@ -13,7 +13,7 @@ namespace gcv {
 namespace {
 
 std::uint64_t count_contributions(const EdgesByRank& edges, const Polygon& polygon,
-                                  const std::vector<Rank>& ranks) {
+                                  const Ranks& ranks) {
   std::uint64_t count = 0;
   for_each_cone(polygon, ranks,
                 [&](Index /*v*/, Rank in, Rank out) { count += edges.count(in, out); });
