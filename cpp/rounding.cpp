@@ -47,13 +47,16 @@ RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally)
   });
 }
 
-// At least the distance of a number from the double that it was rounded to.
-double rounding_error(const RoundedNumber& number) {
-  if (number.exact) {
-    return 0;
-  }
-  const double unit = unit_in_last_place(number.value);
-  return std::max(unit / 2, std::numeric_limits<double>::denorm_min());
+constexpr double smallest = std::numeric_limits<double>::denorm_min();
+
+// The size of a number that was rounded; 0 where it is exact.
+double size_if_rounded(const RoundedNumber& number) {
+  return number.exact ? 0 : std::max(std::abs(number.value), smallest);
+}
+
+// At least the distance of such a number from the double that it was rounded to.
+double error_of_size(double size) {
+  return size == 0 ? 0 : std::max(unit_in_last_place(size) / 2, smallest);
 }
 
 void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
@@ -129,15 +132,18 @@ std::vector<Point> ring_through(std::vector<Point> places) {
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   struct Portion {
     double error_bound = 0;
-    Point errors{0, 0};  // of the vertex with that
+    Point sizes{0, 0};  // of the vertex with that
     Tally tally;
 
-    void add(double x, double y) {
-      if (x > errors.x || y > errors.y) {
-        const double bound = length_bound(x, y);
+    // Errors grow with sizes.
+    void add(const RoundedVertex& vertex) {
+      const double x = size_if_rounded(vertex.x);
+      const double y = size_if_rounded(vertex.y);
+      if (x > sizes.x || y > sizes.y) {
+        const double bound = length_bound(error_of_size(x), error_of_size(y));
         if (bound > error_bound) {
           error_bound = bound;
-          errors = {x, y};
+          sizes = {x, y};
         }
       }
     }
@@ -154,7 +160,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
       const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
       check_finite(ring, k, vertex);
       placement.places[k] = {vertex.x.value, vertex.y.value};
-      portion.add(rounding_error(vertex.x), rounding_error(vertex.y));
+      portion.add(vertex);
     }
     task.advance(last - first);
   });
