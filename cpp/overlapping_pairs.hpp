@@ -34,8 +34,8 @@ class OverlappingPairs {
   // each pair once, of one box in that node and another in it or in a later node of its level.
   // False where it was ended, by visit() or after so many pairs of boxes and of nodes.
   template <class Visit>
-  bool visit_from(std::uint32_t level, std::uint32_t node, std::uint64_t most_pairs,
-                  Visit visit) const {
+  [[nodiscard]] bool visit_from(std::uint32_t level, std::uint32_t node, std::uint64_t most_pairs,
+                                Visit visit) const {
     Search<Visit> search{*this, most_pairs, visit};
     if (!search.within(level, node)) {
       return false;
@@ -51,15 +51,16 @@ class OverlappingPairs {
 
   // The same for all pairs.
   template <class Visit>
-  bool visit_some(std::uint64_t most_pairs, Visit visit) const {
+  [[nodiscard]] bool visit_some(std::uint64_t most_pairs, Visit visit) const {
     return visit_from(last_level(), 0, most_pairs, visit);
   }
   template <class Visit>
   void visit_all(Visit visit) const {
-    visit_some(std::numeric_limits<std::uint64_t>::max(), [&](std::size_t i, std::size_t j) {
+    const auto visit_and_go_on = [&](std::size_t i, std::size_t j) {
       visit(i, j);
       return true;
-    });
+    };
+    static_cast<void>(visit_some(std::numeric_limits<std::uint64_t>::max(), visit_and_go_on));
   }
 
  private:
