@@ -40,7 +40,7 @@ TEST(OverlappingPairs, FindsEachPairOnceOnEveryLevel) {
   Random random(17);
   std::size_t visited = 0;
   std::size_t possible = 0;
-  for (const std::size_t count : {1, 2, 7, 8, 9, 63, 64, 65, 200, 513, 1500}) {
+  for (const std::size_t count : {1U, 2U, 7U, 8U, 9U, 63U, 64U, 65U, 200U, 513U, 1500U}) {
     for (const int exponent : {0, -1060, 1010}) {
       const std::vector<Box> boxes = random_boxes(random, count, std::ldexp(1.0, exponent));
       const OverlappingPairs pairs(boxes);
