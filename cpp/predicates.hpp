@@ -2,7 +2,7 @@
 //
 // The geometric predicates, exact for all finite doubles. Each tries double
 // arithmetic with a proven error bound first (the proofs stand in predicates.cpp),
-// then integers of fixed width, then GMP's.
+// then pairs of doubles, then integers of fixed width, then GMP's.
 //
 // Axioms: orientation(p, q, r) = orientation(q, r, p) = -orientation(q, p, r);
 // side and compare_crossings do not change when both polygons are translated by

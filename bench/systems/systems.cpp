@@ -33,9 +33,9 @@ std::vector<System> systems() {
           {"libgcv prepared", Role::libgcv, any, libgcv_prepared(GCV_LIBRARY)},
           {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
           {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
-          {"libgcv without capsules", Role::peer, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
-          {"libgcv without tree", Role::peer, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
-          {"libgcv without windows", Role::peer, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
+          {"libgcv without capsules", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
+          {"libgcv without tree", Role::libgcv, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
+          {"libgcv without windows", Role::libgcv, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
           {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2
           {"Clipper2", Role::principal_peer, 3e5, on_29_bits(clipper2)},
