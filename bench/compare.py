@@ -327,7 +327,8 @@ def report(machine: dict[str, str], rows: list[Row], limit: float) -> str:
 
 # --------------------------------------------------------------------------- picture --
 
-COLOURS = ["#1b5e9e", "#7fb2de", "#c0392b", "#e59866", "#27ae60", "#8e44ad", "#7f8c8d"]
+COLOURS = ["#1b5e9e", "#7fb2de", "#c0392b", "#e59866", "#27ae60", "#8e44ad", "#7f8c8d", "#111111",
+           "#d4ac0d"]  # fmt: skip
 
 
 def growth_picture(rows: list[Row]) -> str:
@@ -336,7 +337,7 @@ def growth_picture(rows: list[Row]) -> str:
     for row in rows:
         for system in row["results"]:
             ms = milliseconds(row, system)
-            if ms is not None and system not in ("libgcv exact tier only", "libgcv plain doubles"):
+            if ms is not None and (system in (OWN, PREPARED) or not system.startswith(OWN)):
                 curves.setdefault(system, []).append((row["a"]["vertices"], ms))
     points = [point for curve in curves.values() for point in curve]
     x0, x1 = (f(math.log10(n) for n, _ in points) for f in (min, max))
