@@ -44,8 +44,10 @@ void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
   };
   for (std::uint32_t k = 0; k < boxes_; ++k) {
     const Box box = box_of(k);
-    blocks_[k / width].put(k % width, {place(box.x0, bounds.x0), place(box.y0, bounds.y0),
-                                       place(box.x1, bounds.x0), place(box.y1, bounds.y0)});
+    blocks_[k / width].put(
+        k % width, scale == 0 ? FloatBox{-infinity, -infinity, infinity, infinity}
+                              : FloatBox{place(box.x0, bounds.x0), place(box.y0, bounds.y0),
+                                         place(box.x1, bounds.x0), place(box.y1, bounds.y0)});
   }
   for (std::uint32_t level = 1; level < levels_; ++level) {
     for (std::uint32_t node = 0; node < nodes(level - 1); ++node) {

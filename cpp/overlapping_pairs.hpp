@@ -68,7 +68,7 @@ class OverlappingPairs {
   static constexpr std::uint32_t most_levels = 11;  // of fewer than 2^32 boxes
 
   // In floats, seen from one point and in a unit that brings the extents to about 1. Rounding
-  // keeps order: boxes that are apart there are apart.
+  // keeps order: boxes that are apart there are apart. Where the extents overflow, all overlap.
   struct FloatBox {
     float x0;
     float y0;

@@ -70,6 +70,25 @@ TEST(OverlappingPairs, FindsEachPairOnceOnEveryLevel) {
   EXPECT_LT(visited, possible / 10);
 }
 
+TEST(OverlappingPairs, AreFoundWhereTheExtentsOverflow) {
+  std::vector<Box> boxes;
+  for (int k = 0; k < 100; ++k) {
+    const double x = (k < 50 ? -1.5 : 1.5) * 0x1p1023 + k * 0x1p1000;
+    boxes.push_back({x, -x, x + 0x1p1001, 0x1p1001 - x});
+  }
+  std::set<Pair> found;
+  OverlappingPairs(boxes).visit_all([&](std::size_t i, std::size_t j) {
+    EXPECT_TRUE(found.insert({i, j}).second);
+  });
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    for (std::size_t j = i + 1; j < boxes.size(); ++j) {
+      if (overlap(boxes[i], boxes[j])) {
+        ASSERT_TRUE(found.count({i, j}) != 0);
+      }
+    }
+  }
+}
+
 TEST(OverlappingPairs, EndWhereToldToOrAfterSoManyPairs) {
   Random random(18);
   const OverlappingPairs pairs(random_boxes(random, 100, 1));
