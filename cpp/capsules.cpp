@@ -72,17 +72,14 @@ Capsule capsule_of_chain(std::span<const Point> points) {
 
 std::vector<CapsuleBlock> build_capsules(const ChainTree& tree, std::span<const Point> ring) {
   constexpr std::uint32_t width = ChainTree::width;
-  const std::size_t n = ring.size();
-  std::vector<Point> points(ring.begin(), ring.end());
-  points.push_back(ring.front());
+  const std::size_t n = ring.size() - 1;
   std::vector<CapsuleBlock> capsules(tree.blocks.size());
   std::size_t chain = 1;  // edges below a node
   for (std::size_t depth = tree.first_block.size(); depth-- > 0; chain *= width) {
     for (std::size_t node = 0; node * chain < n; ++node) {
       const std::size_t first = node * chain;
       const std::size_t edges = std::min(chain, n - first);
-      const Capsule capsule =
-          capsule_of_chain(std::span<const Point>(points).subspan(first, edges + 1));
+      const Capsule capsule = capsule_of_chain(ring.subspan(first, edges + 1));
       CapsuleBlock& block = capsules[tree.first_block[depth] + node / width];
       const std::size_t lane = node % width;
       block.x0[lane] = capsule.from.x;

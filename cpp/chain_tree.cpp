@@ -21,7 +21,7 @@ Box join(const ChainTree::Block& block) {
 ChainTree build_chain_tree(std::span<const Point> ring) {
   constexpr std::uint32_t width = ChainTree::width;
   ChainTree tree;
-  const auto edges = static_cast<std::uint32_t>(ring.size());
+  const auto edges = static_cast<std::uint32_t>(ring.size() - 1);
   std::uint32_t counts[ChainTree::most_depths];  // of the blocks, from those of edges up
   std::size_t depths = 0;
   std::uint32_t count = edges;
@@ -43,7 +43,7 @@ ChainTree build_chain_tree(std::span<const Point> ring) {
     }
   };
   fill(tree.first_block.back(), counts[0], edges,
-       [&](std::uint32_t k) { return box_of(ring[k], ring[k + 1 == edges ? 0 : k + 1]); });
+       [&](std::uint32_t k) { return box_of(ring[k], ring[k + 1]); });
   for (std::size_t level = 1; level < depths; ++level) {
     const std::size_t depth = depths - 1 - level;
     fill(tree.first_block[depth], counts[level], counts[level - 1],

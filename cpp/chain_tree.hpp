@@ -19,27 +19,11 @@
 namespace gcv {
 
 struct ChainTree {
-  static constexpr std::uint32_t width = 4;
-  static constexpr unsigned all_lanes = 15;
+  static constexpr std::uint32_t width = Lanes::width;
   static constexpr std::size_t most_depths = 16;  // of fewer than 2^32 edges
 
   // The boxes of the children of one node. Those that are missing hold no point.
-  struct Block {
-    double x0[width];
-    double y0[width];
-    double x1[width];
-    double y1[width];
-
-    [[nodiscard]] Box box(std::uint32_t lane) const {
-      return {x0[lane], y0[lane], x1[lane], y1[lane]};
-    }
-    void put(std::uint32_t lane, const Box& with) {
-      x0[lane] = with.x0;
-      y0[lane] = with.y0;
-      x1[lane] = with.x1;
-      y1[lane] = with.y1;
-    }
-  };
+  using Block = BoxBlock<Lanes, Box>;
 
   // Node k of depth d has the children 4 k to 4 k + 3 of depth d + 1. The root, which holds
   // all edges, is node 0 of depth 0; the nodes of the last depth are the edges.
@@ -62,15 +46,7 @@ struct ChainTree {
   }
 };
 
-// The lanes whose boxes overlap the given one, as bits; all, where numbers have overflowed.
-inline unsigned overlapping(const ChainTree::Block& block, const Box& box) {
-  return ~((Lanes::load(block.x0) > box.x1) | (Lanes::load(block.x1) < box.x0) |
-           (Lanes::load(block.y0) > box.y1) | (Lanes::load(block.y1) < box.y0))
-              .bits() &
-         ChainTree::all_lanes;
-}
-
-// The tree over the edges of the closed ring.
+// The tree over the edges of a ring, whose first vertex is given again as its last.
 ChainTree build_chain_tree(std::span<const Point> ring);
 
 }  // namespace gcv

@@ -29,6 +29,9 @@ struct LaneMask {
 };
 
 struct Lanes {
+  static constexpr std::uint32_t width = 4;
+  static constexpr unsigned all = 15;
+
   PairOfDoubles low;
   PairOfDoubles high;
 
@@ -119,6 +122,34 @@ struct EightLanes {
   friend EightLanes operator*(float x, const EightLanes& q) { return {x * q.low, x * q.high}; }
   friend EightMask operator<(const EightLanes& p, float x) { return {p.low < x, p.high < x}; }
   friend EightMask operator>(const EightLanes& p, float x) { return {p.low > x, p.high > x}; }
+};
+
+// As many boxes as there are lanes, side by side.
+template <class Numbers, class Box>
+struct BoxBlock {
+  using Number = decltype(Box::x0);
+
+  Number x0[Numbers::width];
+  Number y0[Numbers::width];
+  Number x1[Numbers::width];
+  Number y1[Numbers::width];
+
+  [[nodiscard]] Box box(std::uint32_t lane) const {
+    return {x0[lane], y0[lane], x1[lane], y1[lane]};
+  }
+  void put(std::uint32_t lane, const Box& box) {
+    x0[lane] = box.x0;
+    y0[lane] = box.y0;
+    x1[lane] = box.x1;
+    y1[lane] = box.y1;
+  }
+  // The lanes whose boxes overlap the given one, as bits; all, where numbers have overflowed.
+  [[nodiscard]] unsigned overlapping(const Box& box) const {
+    return ~((Numbers::load(x0) > box.x1) | (Numbers::load(x1) < box.x0) |
+             (Numbers::load(y0) > box.y1) | (Numbers::load(y1) < box.y0))
+                .bits() &
+           Numbers::all;
+  }
 };
 
 // A power of two by which the extents become 1 at most, and above 1/4 unless they are next to

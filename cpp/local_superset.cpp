@@ -61,8 +61,8 @@ class LocalSuperset::Band {
     const Lanes lowest = smaller(from, to) - length_ * Lanes::load(capsules.radius);
     lowest.store(look.lowest);
     lowest.store(look.highest);  // which no band asks for
-    look.lanes = overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
-                                           box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
+    look.lanes = block.boxes.overlapping({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                          box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~(lowest > leftmost_ - other.offsets.lowest).bits();
   }
 

@@ -77,14 +77,13 @@ struct Arc {
   Tally tally;
 };
 
-// Moves the elements to the end of the list.
-template <class Element>
-void append(std::vector<Element>& list, std::vector<Element>& elements) {
-  if (list.empty()) {
-    list = std::move(elements);
+// Moves the vertices to the end of the ring.
+void append(std::vector<RingVertex>& ring, std::vector<RingVertex>& vertices) {
+  if (ring.empty()) {
+    ring = std::move(vertices);
   } else {
-    list.insert(list.end(), elements.begin(), elements.end());
-    elements = {};
+    ring.insert(ring.end(), vertices.begin(), vertices.end());
+    vertices = {};
   }
 }
 

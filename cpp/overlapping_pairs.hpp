@@ -80,29 +80,7 @@ class OverlappingPairs {
   }
 
   // The boxes of the children of a node. Those that are missing hold no point.
-  struct Block {
-    float x0[width];
-    float y0[width];
-    float x1[width];
-    float y1[width];
-
-    [[nodiscard]] FloatBox box(std::uint32_t lane) const {
-      return {x0[lane], y0[lane], x1[lane], y1[lane]};
-    }
-    void put(std::uint32_t lane, const FloatBox& box) {
-      x0[lane] = box.x0;
-      y0[lane] = box.y0;
-      x1[lane] = box.x1;
-      y1[lane] = box.y1;
-    }
-    // The lanes whose boxes overlap the given one, as bits.
-    [[nodiscard]] unsigned overlapping(const FloatBox& box) const {
-      return ~((EightLanes::load(x0) > box.x1) | (EightLanes::load(x1) < box.x0) |
-               (EightLanes::load(y0) > box.y1) | (EightLanes::load(y1) < box.y0))
-                  .bits() &
-             EightLanes::all;
-    }
-  };
+  using Block = BoxBlock<EightLanes, FloatBox>;
 
   template <class Visit>
   struct Search {

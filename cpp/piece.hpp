@@ -63,8 +63,8 @@ class Piece {
     const unsigned apart = ((highest < offset_ - tolerance_ - other.offsets.highest) |
                             (lowest > offset_ + tolerance_ - other.offsets.lowest))
                                .bits();
-    look.lanes = gcv::overlapping(block.boxes, {box_.x0 - other.box.x1, box_.y0 - other.box.y1,
-                                                box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
+    look.lanes = block.boxes.overlapping({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                          box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
                  ~apart;
     if (look.lanes != 0) {
       look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();

@@ -286,10 +286,11 @@ Polygon make_polygon(std::span<const Point> boundary, const char* name) {
 
 const ChainIndex& Polygon::index() const {
   return index_.get([this] {
-    std::vector<Point> ring(size());
+    std::vector<Point> ring(std::size_t{size()} + 1);
     for (Index i = 0; i < size(); ++i) {
       ring[i] = relative(i);
     }
+    ring.back() = ring.front();
     ChainIndex index{build_chain_tree(ring), {}};
     index.capsules = build_capsules(index.tree, ring);
     return index;
