@@ -141,7 +141,7 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
     reach_ *= 1.4;
   }
   beyond_line_.resize(edges_.size());
-  beyond_end_.resize(edges_.size());
+  beyond_box_.resize(edges_.size());
   return true;
 }
 

@@ -29,24 +29,27 @@ class LocalSuperset {
   // far around.
   bool gather(const Point& from, const Point& to);
 
-  // Calls visit(edge) for those of the edges that may begin on the line through `origin` with
-  // direction (dx, dy), or left of it, and end right of it, and for those that may pass
-  // through `end`.
+  // Calls visit(edge) for those of the edges that may touch the segment between `from` and `to`,
+  // on the line through `origin` with direction (dx, dy).
   template <class Visit>
-  void for_each_near(const Point& origin, double dx, double dy, const Point& end, Visit visit) {
+  void for_each_near(const Point& origin, double dx, double dy, const Point& from, const Point& to,
+                     Visit visit) {
     const double tolerance = offset_tolerance(dx, dy, slack_);
     const double offset = dx * origin.y - dy * origin.x;
+    const Box box = box_of(from, to);
     const std::size_t count = edges_.size();
     for (std::size_t k = 0; k < count; ++k) {
       const double start = dx * y0_[k] - dy * x0_[k];
       const double stop = dx * y1_[k] - dy * x1_[k];
-      beyond_line_[k] = std::max(stop - offset, offset - start);
-      const double x = std::max(std::min(x0_[k], x1_[k]) - end.x, end.x - std::max(x0_[k], x1_[k]));
-      const double y = std::max(std::min(y0_[k], y1_[k]) - end.y, end.y - std::max(y0_[k], y1_[k]));
-      beyond_end_[k] = std::max(x, y);
+      beyond_line_[k] = std::max(std::min(start, stop) - offset, offset - std::max(start, stop));
+      const double x =
+          std::max(std::min(x0_[k], x1_[k]) - box.x1, box.x0 - std::max(x0_[k], x1_[k]));
+      const double y =
+          std::max(std::min(y0_[k], y1_[k]) - box.y1, box.y0 - std::max(y0_[k], y1_[k]));
+      beyond_box_[k] = std::max(x, y);
     }
     for (std::size_t k = 0; k < count; ++k) {
-      if (!(beyond_line_[k] > tolerance) || !(beyond_end_[k] > slack_)) {
+      if (!(beyond_line_[k] > tolerance) && !(beyond_box_[k] > slack_)) {
         visit(edges_[k]);
       }
     }
@@ -73,7 +76,7 @@ class LocalSuperset {
   double leftmost_ = 0;
   std::vector<PairEdge> edges_;
   std::vector<double> x0_, y0_, x1_, y1_;
-  std::vector<double> beyond_line_, beyond_end_;
+  std::vector<double> beyond_line_, beyond_box_;
 };
 
 }  // namespace gcv

@@ -266,36 +266,34 @@ class Walker {
              [&](const auto& visit) { superset_.tree()->search(piece, visit); });
       return step;
     }
-    const double length = std::max(std::abs(end.x - from.x), std::abs(end.y - from.y));
-    if (local_->covers(from, end) || (length < local_->reach() && local_->gather(from, end))) {
-      Step step;
-      const Point origin = operands_.relative_start(s.edge);
-      local_->for_each_near(origin, s.at.dx, s.at.dy, end,
-                            [&](const PairEdge& e) { consider(s, place, end, e, step); });
-      return step;
-    }
-    return search_step(s, place, from, end);
+    return next_step_by_pieces(s, place, from, end);
   }
 
-  // The same without the help of what is near the last steps. The first piece of s that is
-  // searched is about as long as the last of these steps were, each other one four times as long
-  // as the one before.
-  Step search_step(const Line& s, const Place& place, Point from, const Point& end) {
+  // The same where the superset is implicit. The whole of s is searched where few steps fit into a
+  // window; else its first piece is about as long as the last of such searches went, and each other
+  // one four times as long as the one before.
+  Step next_step_by_pieces(const Line& s, const Place& place, Point from, const Point& end) {
+    const Point origin = operands_.relative_start(s.edge);
+    Step step;
+    if (search_window(s, place, from, end, end, step)) {
+      return step;
+    }
     const ImplicitSuperset& implicit = *superset_.implicit();
-    const double start = parameter_on(s, operands_.relative_start(s.edge), from);
+    const double start = parameter_on(s, origin, from);
     const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
     double parameter = start;
     double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
-    Step step;
     while (true) {
       const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
       const bool is_last = !(parameter + stride < limit);
       parameter = is_last ? limit : parameter + stride;
       const Point to = parameter < 1 ? relative_on(s, parameter) : end;
-      Piece piece(s.at, operands_.relative_start(s.edge), from, to, slack_);
-      search(s, place, parameter, end, step, piece, [&](const auto& visit) {
-        implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
-      });
+      if (!search_window(s, place, from, to, end, step)) {
+        Piece piece(s.at, origin, from, to, slack_);
+        search(s, place, parameter, end, step, piece, [&](const auto& visit) {
+          implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
+        });
+      }
       if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
         break;
       }
@@ -305,6 +303,19 @@ class Walker {
     const double way = (step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1) - start;
     stride_ = std::min(2 * way * size, 4 * stride_);
     return step;
+  }
+
+  // Considers the edges that have a point in the piece of s, if a window holds them: that of the
+  // last steps, or else a new one. False where it is too long for that.
+  bool search_window(const Line& s, const Place& place, const Point& from, const Point& to,
+                     const Point& end, Step& step) {
+    const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+    if (!local_->covers(from, to) && !(length < local_->reach() && local_->gather(from, to))) {
+      return false;
+    }
+    local_->for_each_near(operands_.relative_start(s.edge), s.at.dx, s.at.dy, from, to,
+                          [&](const PairEdge& e) { consider(s, place, end, e, step); });
+    return true;
   }
 
   // Considers the edges that have a point in the piece of s up to the parameter: in_superset(visit)
