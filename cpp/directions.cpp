@@ -5,16 +5,17 @@ namespace gcv {
 
 namespace {
 
-// The sign of the turn from line direction `la` of A to line direction `lb` of B, both
-// taken at angles in [0, pi).
-int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally& tally) {
-  const Index i = a.edge_of_line[la];
-  const Index j = b.edge_of_line[lb];
-  const Index i1 = a.next(i);
-  const Index j1 = b.next(j);
-  // Both taken as they point up.
-  return turn(a.vertices[a.upper[i] != 0 ? i : i1], a.vertices[a.upper[i] != 0 ? i1 : i],
-              b.vertices[b.upper[j] != 0 ? j : j1], b.vertices[b.upper[j] != 0 ? j1 : j], tally);
+// A line direction, at an angle in [0, pi), as that from one point to another.
+struct LineDirection {
+  Point from;
+  Point to;
+};
+
+LineDirection line_direction(const Polygon& polygon, Index line) {
+  const Index i = polygon.edge_of_line[line];
+  const Point& start = polygon.vertices[i];
+  const Point& end = polygon.vertices[polygon.next(i)];
+  return polygon.upper[i] != 0 ? LineDirection{start, end} : LineDirection{end, start};
 }
 
 Ranks ranks_of(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
@@ -37,13 +38,23 @@ Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   Rank rank = 0;
   Index la = 0;
   Index lb = 0;
+  LineDirection of_a = line_direction(a, 0);
+  LineDirection of_b = line_direction(b, 0);
   for (; la < lines_a || lb < lines_b; ++rank) {
-    const int order = la == lines_a ? -1 : lb == lines_b ? 1 : compare_lines(a, la, b, lb, tally);
+    const int order = la == lines_a   ? -1
+                      : lb == lines_b ? 1
+                                      : turn(of_a.from, of_a.to, of_b.from, of_b.to, tally);
     if (order >= 0) {
       rank_of_line_a[la++] = rank;
+      if (la < lines_a) {
+        of_a = line_direction(a, la);
+      }
     }
     if (order <= 0) {
       rank_of_line_b[lb++] = rank;
+      if (lb < lines_b) {
+        of_b = line_direction(b, lb);
+      }
     }
   }
   return {rank, ranks_of(a, rank_of_line_a, rank), ranks_of(b, rank_of_line_b, rank)};

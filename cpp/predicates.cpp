@@ -93,15 +93,10 @@ std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy
   return std::abs(cross.head) > cross.error ? std::optional(sign_of(cross.head)) : std::nullopt;
 }
 
-}  // namespace
-
-int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
-  const Approximation approximation =
-      cross_of_directions(p1.x - p0.x, p1.y - p0.y, q1.x - q0.x, q1.y - q0.y);
-  if (certain(approximation)) {
-    ++tally.filtered;
-    return sign_of(approximation.value);
-  }
+// The further tiers stand apart: what they keep in registers would cost the first one as much as
+// its own work.
+[[gnu::noinline]] int undecided_turn(const Point& p0, const Point& p1, const Point& q0,
+                                     const Point& q1, Tally& tally) {
   if (const auto sign = doubled_sign(doubled_sum(p1.x, -p0.x), doubled_sum(p1.y, -p0.y),
                                      doubled_sum(q1.x, -q0.x), doubled_sum(q1.y, -q0.y))) {
     ++tally.fixed_width;
@@ -110,16 +105,7 @@ int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tal
   return exact::turn(p0, p1, q0, q1, tally);
 }
 
-int orientation(const Point& p, const Point& q, const Point& r, Tally& tally) {
-  return turn(p, q, p, r, tally);
-}
-
-int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
-  const Approximation approximation = cross_of_offset(s.dx, s.dy, s.origin, point);
-  if (certain(approximation)) {
-    ++tally.filtered;
-    return sign_of(approximation.value);
-  }
+[[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
   const SumPoint& o = s.origin;
   if (const auto sign =
           doubled_sign(doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y),
@@ -129,6 +115,31 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
     return *sign;
   }
   return exact::side(s, point, tally);
+}
+
+}  // namespace
+
+int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
+  const Approximation approximation =
+      cross_of_directions(p1.x - p0.x, p1.y - p0.y, q1.x - q0.x, q1.y - q0.y);
+  if (!certain(approximation)) {
+    return undecided_turn(p0, p1, q0, q1, tally);
+  }
+  ++tally.filtered;
+  return sign_of(approximation.value);
+}
+
+int orientation(const Point& p, const Point& q, const Point& r, Tally& tally) {
+  return turn(p, q, p, r, tally);
+}
+
+int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  const Approximation approximation = cross_of_offset(s.dx, s.dy, s.origin, point);
+  if (!certain(approximation)) {
+    return undecided_side(s, point, tally);
+  }
+  ++tally.filtered;
+  return sign_of(approximation.value);
 }
 
 // Rounding is monotonic: sums that round differently compare as their roundings do.

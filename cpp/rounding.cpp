@@ -22,15 +22,11 @@ namespace gcv {
 
 namespace {
 
-RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
+// A vertex that is no sum of doubles alone.
+[[gnu::noinline]] RoundedVertex rounded_point(const ExactRing& ring, std::size_t k, Tally& tally) {
   const Polygon& a = *ring.a.polygon;
   const Polygon& b = *ring.b.polygon;
   const RingVertex& v = ring.vertices[k];
-  if (v.is_sum && ring.shift == Point{0, 0}) {
-    ++tally.filtered;
-    return {rounded_sum(a.vertices[v.i].x, b.vertices[v.j].x),
-            rounded_sum(a.vertices[v.i].y, b.vertices[v.j].y)};
-  }
   const std::optional<RoundedVertex> in_doubles =
       v.is_sum ? rounded_sum({a.vertices[v.i], b.vertices[v.j]}, ring.shift)
                : rounded_crossing(coordinates(a, b, v.arriving), coordinates(a, b, v.leaving),
@@ -45,6 +41,17 @@ RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally)
     const auto p = vertex.homogeneous<Integer>();
     return RoundedVertex{nearest_double(p.x, p.w, exponent), nearest_double(p.y, p.w, exponent)};
   });
+}
+
+RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
+  const RingVertex& v = ring.vertices[k];
+  if (!v.is_sum || !(ring.shift == Point{0, 0})) {
+    return rounded_point(ring, k, tally);
+  }
+  ++tally.filtered;
+  const Point& p = ring.a.polygon->vertices[v.i];
+  const Point& q = ring.b.polygon->vertices[v.j];
+  return {rounded_sum(p.x, q.x), rounded_sum(p.y, q.y)};
 }
 
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
