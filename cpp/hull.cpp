@@ -7,6 +7,8 @@
 #include "hull.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "parallel.hpp"
 #include "predicates.hpp"
@@ -16,7 +18,7 @@ namespace gcv {
 namespace {
 
 // Arcs are of unequal length: more of them than threads are shared out better.
-constexpr unsigned arcs_per_thread = 4;
+constexpr unsigned arcs_per_thread = 8;
 constexpr unsigned most_arcs = 256;
 
 // The k-th of 8 `eighth` directions: counter-clockwise round a square, from (-1, 0).
@@ -35,18 +37,29 @@ Point direction(unsigned k, unsigned eighth) {
   }
 }
 
-// The vertex that is furthest in the direction d. Only convex ones can be.
+// The vertex that is furthest in the direction d, whose coordinates are small integers. Only convex
+// ones can be. Of the sums of two products, 4u of what they add up is more than their roundings;
+// the bound is twice as large, and where it overflows, no vertex is left out.
 Index furthest(const Polygon& polygon, const Point& d) {
+  const auto along = [&](const Point& p) { return d.x * p.x + d.y * p.y; };
+  const Box& box = polygon.bounds;
+  const double size = std::abs(d.x) * std::max(std::abs(box.x0), std::abs(box.x1)) +
+                      std::abs(d.y) * std::max(std::abs(box.y0), std::abs(box.y1));
+  double most = along(polygon.vertices.front());
+  for (const Point& p : polygon.vertices) {
+    most = std::max(most, along(p));
+  }
+  const double least = most - 4 * std::numeric_limits<double>::epsilon() * size;
   const Point origin{0, 0};
   const Point quarter_turn{-d.y, d.x};
   Tally tally;
   Index best = polygon.lexicographic_min;
   for (Index i = 0; i < polygon.size(); ++i) {
-    if (polygon.convex[i] == 0) {
+    const Point& q = polygon.vertices[i];
+    if (along(q) < least || polygon.convex[i] == 0) {
       continue;
     }
     const Point& p = polygon.vertices[best];
-    const Point& q = polygon.vertices[i];
     // With v = q - p: v x quarter_turn = <v, d>, and -v x d = <v, quarter_turn>.
     const int order = turn(p, q, origin, quarter_turn, tally);
     if (order > 0 || (order == 0 && turn(q, p, origin, d, tally) > 0)) {

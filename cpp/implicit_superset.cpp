@@ -1,14 +1,34 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "implicit_superset.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace gcv {
+
+namespace {
+
+double mean_edge_size_of(const Operands& operands) {
+  double sum = 0;
+  for (const Polygon* polygon : {&operands.a, &operands.b}) {
+    for (Index i = 0; i < polygon->size(); ++i) {
+      const Point p = polygon->relative(i);
+      const Point q = polygon->relative(polygon->next(i));
+      sum += std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+    }
+  }
+  return sum / (static_cast<double>(operands.a.size()) + operands.b.size());
+}
+
+}  // namespace
 
 ImplicitSuperset::ImplicitSuperset(const Operands& operands)
     : operands_(operands),
       a_{operands.a.index().tree, operands.a.index().capsules,
          node_sectors(operands.a, operands.directions.rank_a)},
       b_{operands.b.index().tree, operands.b.index().capsules,
-         node_sectors(operands.b, operands.directions.rank_b)} {}
+         node_sectors(operands.b, operands.directions.rank_b)},
+      mean_edge_size_(mean_edge_size_of(operands)) {}
 
 // Sector numbers grow with ranks, so a rank in the range lies in one of them.
 Sectors ImplicitSuperset::sectors(Rank first, Rank last) const {

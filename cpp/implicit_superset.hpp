@@ -45,6 +45,7 @@ class ImplicitSuperset {
   explicit ImplicitSuperset(const Operands& operands);
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
+  [[nodiscard]] double mean_edge_size() const { return mean_edge_size_; }
 
   struct NodeSectors {
     Sectors edges;  // the directions of the edges below the node
@@ -182,6 +183,7 @@ class ImplicitSuperset {
   const Operands& operands_;
   Tree a_;
   Tree b_;
+  double mean_edge_size_;  // of both polygons, of the larger coordinate
 };
 
 }  // namespace gcv

@@ -21,19 +21,6 @@ constexpr double depth = 0.25;
 
 constexpr Box nowhere{0, 0, 0, 0};
 
-// The mean size of the edges of both polygons.
-double mean_edge_size(const Operands& operands) {
-  double sum = 0;
-  for (const Polygon* polygon : {&operands.a, &operands.b}) {
-    for (Index i = 0; i < polygon->size(); ++i) {
-      const Point p = polygon->relative(i);
-      const Point q = polygon->relative(polygon->next(i));
-      sum += std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
-    }
-  }
-  return sum / (static_cast<double>(operands.a.size()) + operands.b.size());
-}
-
 }  // namespace
 
 // A window without what lies left of a line, as a place to search. The bounds of the errors
@@ -76,10 +63,7 @@ class LocalSuperset::Band {
 };
 
 LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
-    : superset_(superset),
-      slack_(slack),
-      reach_(4 * mean_edge_size(superset.operands())),
-      window_(nowhere) {}
+    : superset_(superset), slack_(slack), reach_(4 * superset.mean_edge_size()), window_(nowhere) {}
 
 void LocalSuperset::clear() {
   edges_.clear();

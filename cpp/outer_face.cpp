@@ -77,16 +77,6 @@ struct Arc {
   Tally tally;
 };
 
-// Moves the vertices to the end of the ring.
-void append(std::vector<RingVertex>& ring, std::vector<RingVertex>& vertices) {
-  if (ring.empty()) {
-    ring = std::move(vertices);
-  } else {
-    ring.insert(ring.end(), vertices.begin(), vertices.end());
-    vertices = {};
-  }
-}
-
 // The superset in one of two forms: all of it in a tree where it is small, or else implicit.
 class Superset {
  public:
@@ -498,15 +488,21 @@ class Walker {
 
 // The ring of the arcs.
 Walk join(std::vector<Arc> arcs, Tally& tally) {
-  Walk walk;
   const PairEdge* arriving = &arcs.back().last;
+  std::size_t size = 0;
   for (Arc& arc : arcs) {
     arc.walk.vertices.front().arriving = *arriving;
     arriving = &arc.last;
-    append(walk.vertices, arc.walk.vertices);
-    walk.steps += arc.walk.steps;
-    walk.candidates += arc.walk.candidates;
+    size += arc.walk.vertices.size();
     tally += arc.tally;
+  }
+  Walk walk = std::move(arcs.front().walk);
+  walk.vertices.reserve(size);
+  for (std::size_t k = 1; k < arcs.size(); ++k) {
+    const Walk& part = arcs[k].walk;
+    walk.vertices.insert(walk.vertices.end(), part.vertices.begin(), part.vertices.end());
+    walk.steps += part.steps;
+    walk.candidates += part.candidates;
   }
   return walk;
 }
