@@ -24,6 +24,7 @@ struct PairEdge {
   Kind kind;
   Index i;
   Index j;
+  Rank rank;  // of its direction
 };
 
 // How a translated and a corner edge of equal direction, from edge i of A and edge j of
@@ -40,6 +41,13 @@ struct Operands {
   const Polygon& a;
   const Polygon& b;
   Directions directions;
+
+  [[nodiscard]] PairEdge translated(Index i, Index j) const {
+    return {PairEdge::translated, i, j, directions.rank_a[i]};
+  }
+  [[nodiscard]] PairEdge corner(Index i, Index j) const {
+    return {PairEdge::corner, i, j, directions.rank_b[j]};
+  }
 
   // The sum of the vertices i and j in relative coordinates.
   [[nodiscard]] Point relative(Index i, Index j) const {
@@ -58,10 +66,6 @@ struct Operands {
   }
   [[nodiscard]] bool a_contributes(Index i, Rank rank) const {
     return contributes(a, directions.rank_a, i, rank);
-  }
-
-  [[nodiscard]] Rank rank(const PairEdge& e) const {
-    return e.kind == PairEdge::translated ? directions.rank_a[e.i] : directions.rank_b[e.j];
   }
 
   // Edge i of A and edge j of B must have the same direction. A vertex contributes to an

@@ -18,18 +18,19 @@ Walk merge_convex(const Operands& operands) {
   PairEdge arriving{};
   walk.vertices.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
-    const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
+    const PairEdge translated = operands.translated(i, j);
+    const PairEdge corner = operands.corner(i, j);
+    const Rank angle = directions.angle(translated.rank, corner.rank);
     const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);
     const bool take_b = left_of_a == 0 || (left_of_b > 0 && (!take_a || angle == 0));
-    const PairEdge leaving{take_a ? PairEdge::translated : PairEdge::corner, i, j};
-    walk.vertices.push_back({true, i, j, arriving, leaving});
+    walk.vertices.push_back({true, i, j, arriving, take_a ? translated : corner});
     if (take_a) {
-      arriving = {PairEdge::translated, i, j};
+      arriving = translated;
       i = a.next(i);
       --left_of_a;
     }
     if (take_b) {
-      arriving = {PairEdge::corner, i, j};
+      arriving = operands.corner(i, j);
       j = b.next(j);
       --left_of_b;
     }

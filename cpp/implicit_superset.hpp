@@ -94,11 +94,13 @@ class ImplicitSuperset {
   // Calls visit(edge) for the superset edges of edges i and j.
   template <class Visit>
   void for_each_edge(Index i, Index j, Visit visit) const {
-    if (operands_.b_contributes(j, operands_.directions.rank_a[i])) {
-      visit(PairEdge{PairEdge::translated, i, j});
+    const PairEdge translated = operands_.translated(i, j);
+    if (operands_.b_contributes(j, translated.rank)) {
+      visit(translated);
     }
-    if (operands_.a_contributes(i, operands_.directions.rank_b[j])) {
-      visit(PairEdge{PairEdge::corner, i, j});
+    const PairEdge corner = operands_.corner(i, j);
+    if (operands_.a_contributes(i, corner.rank)) {
+      visit(corner);
     }
   }
 

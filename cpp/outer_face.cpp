@@ -146,7 +146,7 @@ class Walker {
         place.crossing = line.edge;
         place.parameter = crossing_parameter(next.at, line.at);
       }
-      if (operands_.rank(next.edge) != operands_.rank(line.edge)) {
+      if (next.edge.rank != line.edge.rank) {
         append(place, line, next);
       }
       line = next;
@@ -223,9 +223,9 @@ class Walker {
 
   // Of the two edges that start in lexmin(A) + lexmin(B), the more clockwise one.
   PairEdge first_edge(Index i, Index j) {
-    const PairEdge translated{PairEdge::translated, i, j};
-    const PairEdge corner{PairEdge::corner, i, j};
-    const Rank angle = directions_.angle(operands_.rank(translated), operands_.rank(corner));
+    const PairEdge translated = operands_.translated(i, j);
+    const PairEdge corner = operands_.corner(i, j);
+    const Rank angle = directions_.angle(translated.rank, corner.rank);
     if (angle == 0) {
       return preferred(line_of(translated), line_of(corner)) ? translated : corner;
     }
@@ -323,7 +323,7 @@ class Walker {
   // Does the boundary leave s along e, of all edges so far? True where e is the first event.
   bool consider(const Line& s, const Place& place, const Point& end, const PairEdge& e,
                 Step& step) {
-    const Rank angle = directions_.angle(operands_.rank(s.edge), operands_.rank(e));
+    const Rank angle = directions_.angle(s.edge.rank, e.rank);
     if (angle > directions_.half_turn) {
       return consider_event(s, place, e, step.event);
     }
@@ -367,10 +367,8 @@ class Walker {
   // furthest: is it e?
   void consider_onwards(const Line& s, const PairEdge& e, std::optional<Line>& best) {
     ++walk_.candidates;
-    const Rank rank = operands_.rank(s.edge);
-    const auto angle = [&](const Line& t) {
-      return directions_.angle(rank, operands_.rank(t.edge));
-    };
+    const Rank rank = s.edge.rank;
+    const auto angle = [&](const Line& t) { return directions_.angle(rank, t.edge.rank); };
     const Line t = line_of(e);
     if (best) {
       const Rank left = angle(t);
@@ -442,9 +440,9 @@ class Walker {
     } else if (best->place.is_sum) {
       take_sum(event.place, best->place);
     }
-    const Rank rank = operands_.rank(s.edge);
-    const Rank angle = directions_.angle(rank, operands_.rank(event.line.edge));
-    const Rank best_angle = directions_.angle(rank, operands_.rank(best->line.edge));
+    const Rank rank = s.edge.rank;
+    const Rank angle = directions_.angle(rank, event.line.edge.rank);
+    const Rank best_angle = directions_.angle(rank, best->line.edge.rank);
     return angle < best_angle || (angle == best_angle && preferred(event.line, best->line));
   }
 

@@ -111,13 +111,9 @@ std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
     }
   };
   for_each_contribution(directions.rank_a, b, directions.rank_b, directions.half_turn,
-                        [&](Index i, Index j) {
-                          add({PairEdge::translated, i, j});
-                        });
+                        [&](Index i, Index j) { add(operands.translated(i, j)); });
   for_each_contribution(directions.rank_b, a, directions.rank_a, directions.half_turn,
-                        [&](Index j, Index i) {
-                          add({PairEdge::corner, i, j});
-                        });
+                        [&](Index j, Index i) { add(operands.corner(i, j)); });
   const auto key = [](const SupersetEdge& e) {
     return std::tuple(e.source.kind, e.source.a, e.source.b);
   };

@@ -28,15 +28,16 @@ class ZOrder {
       : bits_((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2) {}
 
   [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (2 * bits_); }
-  [[nodiscard]] std::uint32_t cell(float x, float y) const {
-    return spread(coordinate(x)) | spread(coordinate(y)) << 1U;
+  // That of the centre of a box.
+  [[nodiscard]] std::uint32_t cell(const FourFloats& box) const {
+    return spread(coordinate(box[0] + box[2])) | spread(coordinate(box[1] + box[3])) << 1U;
   }
 
  private:
-  // Where numbers have overflowed, any will do.
-  [[nodiscard]] std::uint32_t coordinate(float x) const {
+  // Of twice a number. Where numbers have overflowed, any will do.
+  [[nodiscard]] std::uint32_t coordinate(float twice_x) const {
     const auto cells = static_cast<float>(1U << bits_);
-    const float place = (x + 1) / 2 * cells;
+    const float place = (twice_x + 2) * (cells / 4);
     return place > 0 ? static_cast<std::uint32_t>(std::min(place, cells - 1)) : 0;
   }
   // The bits of a number below 2^8, with zeros between them.
@@ -49,45 +50,57 @@ class ZOrder {
   unsigned bits_;
 };
 
-struct FloatBox {
-  float sides[4];  // in the order of SupersetTree::Block
+constexpr float infinity = std::numeric_limits<float>::infinity();
+
+// Boxes have their sides in the order of SupersetTree::Block.
+constexpr FourFloats nothing{infinity, infinity, -infinity, -infinity};
+constexpr FourFloats everything{-infinity, -infinity, infinity, infinity};
+
+// A vertex of a polygon, with its coordinates twice, and the box of the edge behind it, in the
+// unit of the tree.
+struct ScaledVertex {
+  FourFloats point;
+  FourFloats box;
 };
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr FloatBox nothing{{infinity, infinity, -infinity, -infinity}};
-constexpr FloatBox everything{{-infinity, -infinity, infinity, infinity}};
+void scale_vertices(const Polygon& polygon, double scale, ScaledVertex* vertices) {
+  const auto point = [&](Index i) {
+    const Point p = polygon.relative(i);
+    const auto x = static_cast<float>(p.x * scale);
+    const auto y = static_cast<float>(p.y * scale);
+    return FourFloats{x, y, x, y};
+  };
+  vertices[0].point = point(0);
+  for (Index i = 0; i < polygon.size(); ++i) {
+    const Index next = polygon.next(i);
+    if (next != 0) {
+      vertices[next].point = point(next);
+    }
+    const FourFloats& p = vertices[i].point;
+    const FourFloats& q = vertices[next].point;
+    vertices[i].box = FourFloats{std::min(p[0], q[0]), std::min(p[1], q[1]), std::max(p[0], q[0]),
+                                 std::max(p[1], q[1])};
+  }
+}
 
 struct BoxedEdge {
+  FourFloats box;
   PairEdge edge;
-  FloatBox box;
   std::uint32_t cell;
 };
 
-FloatBox box_of_edge(const Operands& operands, const PairEdge& e, double scale) {
-  if (scale == 0) {
-    return everything;
-  }
-  const Point from = operands.relative_start(e);
-  const Point to = operands.relative_end(e);
-  const auto x0 = static_cast<float>(from.x * scale);
-  const auto y0 = static_cast<float>(from.y * scale);
-  const auto x1 = static_cast<float>(to.x * scale);
-  const auto y1 = static_cast<float>(to.y * scale);
-  return {{std::min(x0, x1), std::min(y0, y1), std::max(x0, x1), std::max(y0, y1)}};
-}
-
-void put(SupersetTree::Block& block, std::uint32_t lane, const FloatBox& box) {
+void put(SupersetTree::Block& block, std::uint32_t lane, const FourFloats& box) {
   for (unsigned side = 0; side < 4; ++side) {
-    block.sides[side][lane] = box.sides[side];
+    block.sides[side][lane] = box[side];
   }
 }
 
-FloatBox join(const SupersetTree::Block& block) {
+FourFloats join(const SupersetTree::Block& block) {
   const auto& sides = block.sides;
-  FloatBox box{{sides[0][0], sides[1][0], sides[2][0], sides[3][0]}};
+  FourFloats box{sides[0][0], sides[1][0], sides[2][0], sides[3][0]};
   for (std::uint32_t lane = 1; lane < EightLanes::width; ++lane) {
-    box = {{std::min(box.sides[0], sides[0][lane]), std::min(box.sides[1], sides[1][lane]),
-            std::max(box.sides[2], sides[2][lane]), std::max(box.sides[3], sides[3][lane])}};
+    box = FourFloats{std::min(box[0], sides[0][lane]), std::min(box[1], sides[1][lane]),
+                     std::max(box[2], sides[2][lane]), std::max(box[3], sides[3][lane])};
   }
   return box;
 }
@@ -111,18 +124,25 @@ SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked, 
   std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
   std::vector<BoxedEdge> edges;
   edges.reserve(size);
-  const auto add = [&](const PairEdge& edge) {
-    const FloatBox box = box_of_edge(operands, edge, scale_);
-    const std::uint32_t cell =
-        order.cell((box.sides[0] + box.sides[2]) / 2, (box.sides[1] + box.sides[3]) / 2);
+  std::vector<ScaledVertex> scaled(std::size_t{operands.a.size()} + operands.b.size());
+  ScaledVertex* const scaled_a = scaled.data();
+  ScaledVertex* const scaled_b = scaled_a + operands.a.size();
+  scale_vertices(operands.a, scale_, scaled_a);
+  scale_vertices(operands.b, scale_, scaled_b);
+  const auto add = [&](const PairEdge& edge, const FourFloats& sum) {
+    const FourFloats box = scale_ == 0 ? everything : sum;
+    const std::uint32_t cell = order.cell(box);
     ++places[cell + 1];
-    edges.push_back({edge, box, cell});
+    edges.push_back({box, edge, cell});
   };
   for_each_cone(operands.b, operands.directions.rank_b, [&](Index j, Rank in, Rank out) {
-    ranked.a.for_each(in, out, [&](Index i) { add({PairEdge::translated, i, j}); });
+    ranked.a.for_each(in, out, [&](Index i) {
+      add(operands.translated(i, j), scaled_a[i].box + scaled_b[j].point);
+    });
   });
   for_each_cone(operands.a, operands.directions.rank_a, [&](Index i, Rank in, Rank out) {
-    ranked.b.for_each(in, out, [&](Index j) { add({PairEdge::corner, i, j}); });
+    ranked.b.for_each(
+        in, out, [&](Index j) { add(operands.corner(i, j), scaled_a[i].point + scaled_b[j].box); });
   });
   std::partial_sum(places.begin(), places.end(), places.begin());
 
@@ -134,11 +154,14 @@ SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked, 
     count = (count + width - 1) / width;
     counts[levels_++] = count;
   } while (count > 1);
-  first_block_[0] = 0;
+  std::uint32_t blocks = 0;
   for (std::uint32_t level = 0; level < levels_; ++level) {
-    first_block_[level + 1] = first_block_[level] + counts[levels_ - 1 - level];
+    nodes_[level] = counts[levels_ - 1 - level];
+    first_block_[level] = blocks;
+    blocks += nodes_[level];
   }
-  blocks_.resize(first_block_[levels_]);
+  nodes_[levels_] = static_cast<std::uint32_t>(size);
+  blocks_.resize(blocks);
   edges_.resize(size);
   Block* const leaves = &blocks_[first_block_[levels_ - 1]];
   for (const BoxedEdge& e : edges) {
@@ -150,10 +173,9 @@ SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked, 
     put(leaves[k / width], k % width, nothing);
   }
   for (std::uint32_t level = levels_ - 1; level-- > 0;) {
-    const std::uint32_t children = counts[levels_ - 2 - level];
-    for (std::uint32_t k = 0; k < width * counts[levels_ - 1 - level]; ++k) {
+    for (std::uint32_t k = 0; k < width * nodes_[level]; ++k) {
       put(blocks_[first_block_[level] + k / width], k % width,
-          k < children ? join(blocks_[first_block_[level + 1] + k]) : nothing);
+          k < nodes_[level + 1] ? join(blocks_[first_block_[level + 1] + k]) : nothing);
     }
   }
 }

@@ -39,10 +39,11 @@ class SupersetTree {
   // A piece of an edge, from `from` to `to` in relative coordinates, as a place to search.
   //
   // The unit of the tree is a power of two from the extents of the sum on: in it, all coordinates
-  // are 1 at most. With v = 2^-24, half the distance from 1 to the next float: a side of a box is
-  // off by v, as is an end of the piece, and `slack` is 16v. The direction of the edge, its larger
-  // part being 1, is off by v, so that an offset from its line, at most 2 away, is off by 2v for
-  // the direction, 2v for the point and 8v for products and sums; `slack` is more.
+  // are 1 at most. With v = 2^-24, half the distance from 1 to the next float: a side of a box, the
+  // sum of two floats, is off by 3v, an end of the piece by v, and `slack` is 32v. The direction of
+  // the edge, its larger part being 1, is off by v, so that an offset from its line, at most 2
+  // away, is off by 2v for the direction, 6v for the point and 8v for products and sums; `slack`
+  // is more.
   class Piece {
    public:
     Piece(const SupersetTree& tree, const SumEdge& s, const Point& origin, const Point& from,
@@ -53,6 +54,7 @@ class SupersetTree {
       dy_ = static_cast<float>(s.dy / size);
       offset_ =
           static_cast<float>(double{dx_} * (origin.y * scale_) - double{dy_} * (origin.x * scale_));
+      ascends_ = std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0;
       near_x_ = dy_ > 0 ? Block::x_low : Block::x_high;
       far_x_ = dy_ > 0 ? Block::x_high : Block::x_low;
       near_y_ = dx_ > 0 ? Block::y_low : Block::y_high;
@@ -80,10 +82,10 @@ class SupersetTree {
     }
 
     // Are boxes with larger coordinates to come last?
-    [[nodiscard]] bool ascends() const { return std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0; }
+    [[nodiscard]] bool ascends() const { return ascends_; }
 
    private:
-    static constexpr float slack = 0x1p-20F;
+    static constexpr float slack = 0x1p-19F;
 
     [[nodiscard]] float scaled(double x) const { return static_cast<float>(x * scale_); }
 
@@ -100,6 +102,7 @@ class SupersetTree {
     Block::Side far_x_;
     Block::Side near_y_;
     Block::Side far_y_;
+    bool ascends_;
   };
 
   // Calls visit(edge) for superset edges, among them all that have a point in the piece, which
@@ -110,22 +113,18 @@ class SupersetTree {
     stack[0] = {0, 0};
     for (std::uint32_t count = 1; count > 0;) {
       const Node node = stack[--count];
-      const unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]);
       const std::uint32_t children = EightLanes::width * node.index;
+      // Missing ones overlap where numbers have overflowed.
+      const std::uint32_t existing = std::min(nodes_[node.level + 1] - children, EightLanes::width);
+      const unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]) &
+                             (EightLanes::all >> (EightLanes::width - existing));
       if (node.level + 1 == levels_) {
-        // Missing ones overlap where numbers have overflowed.
-        for_each_lane(lanes, [&](std::uint32_t lane) {
-          if (children + lane < edges_.size()) {
-            visit(edges_[children + lane]);
-          }
-        });
+        for_each_lane(lanes, [&](std::uint32_t lane) { visit(edges_[children + lane]); });
         continue;
       }
       const std::uint32_t first = count;
       for_each_lane(lanes, [&](std::uint32_t lane) {
-        if (children + lane < first_block_[node.level + 2] - first_block_[node.level + 1]) {
-          stack[count++] = {node.level + 1, children + lane};
-        }
+        stack[count++] = {node.level + 1, children + lane};
       });
       if (piece.ascends()) {
         std::reverse(stack + first, stack + count);
@@ -141,10 +140,11 @@ class SupersetTree {
     std::uint32_t index;
   };
 
-  double scale_;                                // 1 / unit
-  std::vector<PairEdge> edges_;                 // in the order of the boxes of the last level
-  std::vector<Block> blocks_;                   // from the root's to those of edges
-  std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
+  double scale_;                            // 1 / unit
+  std::vector<PairEdge> edges_;             // in the order of the boxes of the last level
+  std::vector<Block> blocks_;               // from the root's to those of edges
+  std::uint32_t nodes_[most_levels + 1];    // of each level, and the edges
+  std::uint32_t first_block_[most_levels];  // of each level
   std::uint32_t levels_;
 };
 

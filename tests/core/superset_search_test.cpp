@@ -52,10 +52,10 @@ std::vector<PairEdge> all_edges(const Operands& operands) {
   for (Index i = 0; i < operands.a.size(); ++i) {
     for (Index j = 0; j < operands.b.size(); ++j) {
       if (operands.b_contributes(j, operands.directions.rank_a[i])) {
-        edges.push_back({PairEdge::translated, i, j});
+        edges.push_back(operands.translated(i, j));
       }
       if (operands.a_contributes(i, operands.directions.rank_b[j])) {
-        edges.push_back({PairEdge::corner, i, j});
+        edges.push_back(operands.corner(i, j));
       }
     }
   }
