@@ -73,8 +73,9 @@ Report run(const System& system, const Ring& a, const Ring& b, bool is_timed, Ri
   if (report.seconds >= enough_seconds) {
     report.seconds = processor_seconds() - before;
   } else if (is_timed) {
-    const int runs = static_cast<int>(std::ceil(batch_seconds / report.seconds));
-    for (int batch = 0; batch < batches; ++batch) {
+    // The first batch is too small: the first run has had to warm everything up.
+    for (int batch = 0; batch <= batches; ++batch) {
+      const int runs = static_cast<int>(std::ceil(batch_seconds / report.seconds));
       report.seconds = std::min(report.seconds, seconds_of(job, runs, ring));
     }
   }

@@ -7,14 +7,14 @@ namespace {
 
 // A line direction, at an angle in [0, pi), as that from one point to another.
 struct LineDirection {
-  Point from;
-  Point to;
+  const Point* from;
+  const Point* to;
 };
 
 LineDirection line_direction(const Polygon& polygon, Index line) {
   const Index i = polygon.edge_of_line[line];
-  const Point& start = polygon.vertices[i];
-  const Point& end = polygon.vertices[polygon.next(i)];
+  const Point* const start = &polygon.vertices[i];
+  const Point* const end = &polygon.vertices[polygon.next(i)];
   return polygon.upper[i] != 0 ? LineDirection{start, end} : LineDirection{end, start};
 }
 
@@ -43,7 +43,7 @@ Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   for (; la < lines_a || lb < lines_b; ++rank) {
     const int order = la == lines_a   ? -1
                       : lb == lines_b ? 1
-                                      : turn(of_a.from, of_a.to, of_b.from, of_b.to, tally);
+                                      : turn(*of_a.from, *of_a.to, *of_b.from, *of_b.to, tally);
     if (order >= 0) {
       rank_of_line_a[la++] = rank;
       if (la < lines_a) {

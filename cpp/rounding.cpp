@@ -66,6 +66,9 @@ double error_of_size(double size) {
   return size == 0 ? 0 : std::max(unit_in_last_place(size) / 2, smallest);
 }
 
+// The size from which on the error is larger: the next power of two.
+double next_size(double error) { return std::max(0x1p54 * error, smallest); }
+
 void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
   const bool x_is_finite = std::isfinite(vertex.x.value);
   if (x_is_finite && std::isfinite(vertex.y.value)) {
@@ -139,18 +142,18 @@ std::vector<Point> ring_through(std::vector<Point> places) {
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   struct Portion {
     double error_bound = 0;
-    Point sizes{0, 0};  // of the vertex with that
+    Point sizes{smallest, smallest};  // from which on errors are larger than those of its vertex
     Tally tally;
 
-    // Errors grow with sizes.
     void add(const RoundedVertex& vertex) {
       const double x = size_if_rounded(vertex.x);
       const double y = size_if_rounded(vertex.y);
-      if (x > sizes.x || y > sizes.y) {
-        const double bound = length_bound(error_of_size(x), error_of_size(y));
+      if (x >= sizes.x || y >= sizes.y) {
+        const Point errors{error_of_size(x), error_of_size(y)};
+        const double bound = length_bound(errors.x, errors.y);
         if (bound > error_bound) {
           error_bound = bound;
-          sizes = {x, y};
+          sizes = {next_size(errors.x), next_size(errors.y)};
         }
       }
     }
