@@ -327,8 +327,8 @@ class Walker {
     if (angle > directions_.half_turn) {
       return consider_event(s, place, e, step.event);
     }
-    if (angle < directions_.half_turn && !step.event && comes_near(e, end) &&
-        !ends_with(s.edge, e)) {
+    if (angle < directions_.half_turn && !step.event && !ends_with(s.edge, e) &&
+        comes_near(e, end)) {
       consider_onwards(s, e, step.onwards);
     }
     return false;
