@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -20,7 +21,7 @@ namespace {
 struct Chain {
   std::vector<Point> points;
   std::vector<Index> number;
-  std::vector<int> turn;
+  std::vector<std::int8_t> turn;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -64,8 +65,8 @@ void find_turns(Chain& chain) {
   Tally tally;
   chain.turn.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    chain.turn.push_back(orientation(chain.points[chain.previous(i)], chain.points[i],
-                                     chain.points[chain.next(i)], tally));
+    chain.turn.push_back(static_cast<std::int8_t>(orientation(
+        chain.points[chain.previous(i)], chain.points[i], chain.points[chain.next(i)], tally)));
   }
 }
 
@@ -104,37 +105,30 @@ void check_simple(const Chain& chain, const char* name) {
 // round, the edge behind a corner is the one that led to it; of the caller's edges on one straight
 // line, the last is then the first.
 void take_corners(const Chain& chain, Polygon& polygon) {
-  std::vector<std::size_t> corners;
-  corners.reserve(chain.size());
-  std::size_t first = 0;  // place of the smallest among them
-  for (std::size_t i = 0; i < chain.size(); ++i) {
-    if (chain.turn[i] != 0) {
-      if (!corners.empty() &&
-          lexicographically_less(chain.points[i], chain.points[corners[first]])) {
-        first = corners.size();
-      }
-      corners.push_back(i);
-    }
-  }
-  const std::size_t n = corners.size();
-  const int left = chain.turn[corners[first]];
-  std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first), corners.end());
-  if (left < 0) {
-    std::reverse(corners.begin() + 1, corners.end());
-  }
+  const auto first = static_cast<std::size_t>(
+      std::min_element(chain.points.begin(), chain.points.end(), lexicographically_less) -
+      chain.points.begin());
+  const int left = chain.turn[first];  // no line passes through a smallest point
+  const auto n = static_cast<std::size_t>(
+      std::count_if(chain.turn.begin(), chain.turn.end(), [](int turn) { return turn != 0; }));
   polygon.vertices.reserve(n);
   polygon.vertex_number.reserve(n);
   polygon.edge_number.reserve(n);
   polygon.convex.reserve(n);
   polygon.is_convex = true;
-  for (const std::size_t i : corners) {
-    const bool is_convex = chain.turn[i] == left;
-    polygon.vertices.push_back(chain.points[i]);
-    polygon.vertex_number.push_back(chain.number[i]);
-    polygon.edge_number.push_back(chain.number[left > 0 ? i : chain.previous(i)]);
-    polygon.convex.push_back(is_convex ? 1 : 0);
-    polygon.is_convex = polygon.is_convex && is_convex;
-  }
+  std::size_t i = first;
+  do {
+    const std::size_t before = chain.previous(i);
+    if (chain.turn[i] != 0) {
+      const bool is_convex = chain.turn[i] == left;
+      polygon.vertices.push_back(chain.points[i]);
+      polygon.vertex_number.push_back(chain.number[i]);
+      polygon.edge_number.push_back(chain.number[left > 0 ? i : before]);
+      polygon.convex.push_back(is_convex ? 1 : 0);
+      polygon.is_convex = polygon.is_convex && is_convex;
+    }
+    i = left > 0 ? chain.next(i) : before;
+  } while (i != first);
 }
 
 // dx / (|dx| + |dy|), which falls as the angle of (dx, dy) grows from 0 to half a turn, for the
