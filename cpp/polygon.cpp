@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -21,7 +20,7 @@ namespace {
 struct Chain {
   std::vector<Point> points;
   std::vector<Index> number;
-  std::vector<std::int8_t> turn;
+  std::vector<int> turn;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -65,8 +64,8 @@ void find_turns(Chain& chain) {
   Tally tally;
   chain.turn.reserve(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    chain.turn.push_back(static_cast<std::int8_t>(orientation(
-        chain.points[chain.previous(i)], chain.points[i], chain.points[chain.next(i)], tally)));
+    chain.turn.push_back(orientation(chain.points[chain.previous(i)], chain.points[i],
+                                     chain.points[chain.next(i)], tally));
   }
 }
 
