@@ -23,8 +23,7 @@ struct CapsuleBlock {
   double radius[ChainTree::width];
 };
 
-// The capsules for the blocks of the tree over that ring, closed as for build_chain_tree. O(n log
-// n).
+// The capsules for the blocks of the tree over that ring, which is closed as for it. O(n log n).
 std::vector<CapsuleBlock> build_capsules(const ChainTree& tree, std::span<const Point> ring);
 
 }  // namespace gcv

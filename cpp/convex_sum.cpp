@@ -30,7 +30,7 @@ Walk merge_convex(const Operands& operands) {
       --left_of_a;
     }
     if (take_b) {
-      arriving = operands.corner(i, j);
+      arriving = operands.corner(i, j);  // of the next vertex of A where both are taken
       j = b.next(j);
       --left_of_b;
     }
