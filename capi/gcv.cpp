@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "area.hpp"
+#include "edge_sources.hpp"
 #include "guard.hpp"
 #include "lazy.hpp"
 #include "minkowski_sum.hpp"

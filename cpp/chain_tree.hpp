@@ -41,6 +41,11 @@ struct ChainTree {
   [[nodiscard]] std::uint32_t block_below(const Node& node) const {
     return first_block[node.depth] + node.index;
   }
+  // The first of the edges below a node.
+  [[nodiscard]] std::uint32_t first_edge(const Node& node) const {
+    static_assert(width == 4);
+    return node.index << 2 * (static_cast<std::uint32_t>(first_block.size()) - node.depth);
+  }
   static Node child(const Node& node, std::uint32_t lane) {
     return {node.depth + 1, width * node.index + lane};
   }

@@ -49,6 +49,14 @@ struct Operands {
     return {PairEdge::corner, i, j, directions.rank_b[j]};
   }
 
+  [[nodiscard]] SumPoint start(const PairEdge& e) const {
+    return {a.vertices[e.i], b.vertices[e.j]};
+  }
+  [[nodiscard]] SumPoint end(const PairEdge& e) const {
+    return e.kind == PairEdge::translated ? SumPoint{a.vertices[a.next(e.i)], b.vertices[e.j]}
+                                          : SumPoint{a.vertices[e.i], b.vertices[b.next(e.j)]};
+  }
+
   // The sum of the vertices i and j in relative coordinates.
   [[nodiscard]] Point relative(Index i, Index j) const {
     const Point p = a.relative(i);

@@ -28,6 +28,7 @@ struct ExactRing {
   Operand b;
   Point shift;  // added to every vertex
   std::vector<RingVertex> vertices;
+  bool chains_are_repeated = false;  // as in Walk
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
 };

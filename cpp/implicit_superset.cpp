@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gcv {
 
@@ -23,11 +24,14 @@ double mean_edge_size_of(const Operands& operands) {
 }  // namespace
 
 ImplicitSuperset::ImplicitSuperset(const Operands& operands)
+    : ImplicitSuperset(operands, find_repeated_chains(operands)) {}
+
+ImplicitSuperset::ImplicitSuperset(const Operands& operands, RepeatedChains chains)
     : operands_(operands),
       a_{operands.a.index().tree, operands.a.index().capsules,
-         node_sectors(operands.a, operands.directions.rank_a)},
+         node_sectors(operands.a, operands.directions.rank_a), std::move(chains.a)},
       b_{operands.b.index().tree, operands.b.index().capsules,
-         node_sectors(operands.b, operands.directions.rank_b)},
+         node_sectors(operands.b, operands.directions.rank_b), std::move(chains.b)},
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
 // Sector numbers grow with ranks, so a rank in the range lies in one of them.

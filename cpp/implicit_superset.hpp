@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "contributing_vertices.hpp"
+#include "repeated_chains.hpp"
 
 namespace gcv {
 
@@ -46,6 +47,7 @@ class ImplicitSuperset {
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
   [[nodiscard]] double mean_edge_size() const { return mean_edge_size_; }
+  [[nodiscard]] bool has_repeated_chains() const { return !a_.chains.empty(); }
 
   struct NodeSectors {
     Sectors edges;  // the directions of the edges below the node
@@ -67,6 +69,7 @@ class ImplicitSuperset {
     Point from;       // the ends of its capsule
     Point to;
     double radius;
+    std::uint32_t chain;  // its number where chains are repeated; 0 for the root
   };
 
   // The children of a node.
@@ -85,10 +88,14 @@ class ImplicitSuperset {
   // Goes down from the roots. A place says where to look:
   //   offsets(box): those of a box;
   //   look(block, other): at the block, the node of the other tree added to its nodes.
-  // Calls visit(i, j) for pairs of edges that hold all superset edges in that place.
+  // Calls visit(i, j) for pairs of edges that hold all superset edges in that place; given what the
+  // search has met, which needs chains that are repeated, at least one of those that coincide.
   template <class Place, class Visit>
-  void search(Place& place, Visit visit) const {
-    Search<Place, Visit>{*this, place, visit}.descend(root(a_, place), root(b_, place));
+  void search(Place& place, Visit visit, PairsMet* met = nullptr) const {
+    if (met != nullptr) {
+      met->clear();
+    }
+    Search<Place, Visit>{*this, place, met, visit}.descend(root(a_, place), root(b_, place));
   }
 
   // Calls visit(edge) for the superset edges of edges i and j.
@@ -116,17 +123,28 @@ class ImplicitSuperset {
     const ChainTree& boxes;
     const std::vector<CapsuleBlock>& capsules;
     std::vector<SectorBlock> sectors;
+    RepeatedChains::Numbers chains;
   };
 
   template <class Place, class Visit>
   struct Search {
     const ImplicitSuperset& superset;
     Place& place;
+    PairsMet* met;
     Visit& visit;
 
     static double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
+    [[nodiscard]] bool meets_again(const Node& a, const Node& b) {
+      return met->meet(a.chain, b.chain,
+                       {superset.operands_.a.vertices[superset.a_.boxes.first_edge(a.place)],
+                        superset.operands_.b.vertices[superset.b_.boxes.first_edge(b.place)]});
+    }
+
     void descend(const Node& a, const Node& b) {
+      if (met != nullptr && meets_again(a, b)) {
+        return;
+      }
       const bool a_is_edge = superset.a_.boxes.is_edge(a.place);
       const bool b_is_edge = superset.b_.boxes.is_edge(b.place);
       if (a_is_edge && b_is_edge) {
@@ -155,7 +173,8 @@ class ImplicitSuperset {
                          {look.lowest[k], look.highest[k]},
                          {capsules.x0[k], capsules.y0[k]},
                          {capsules.x1[k], capsules.y1[k]},
-                         capsules.radius[k]};
+                         capsules.radius[k],
+                         met != nullptr ? tree.chains[number][k] : 0};
         if (expand_a) {
           descend(child, b);
         } else {
@@ -164,6 +183,8 @@ class ImplicitSuperset {
       });
     }
   };
+
+  ImplicitSuperset(const Operands& operands, RepeatedChains chains);
 
   // The sectors of the ranks counter-clockwise from first to last; never a full turn.
   [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
@@ -177,7 +198,8 @@ class ImplicitSuperset {
             place.offsets(box),
             end,
             end,
-            length_bound(box.x1 - box.x0, box.y1 - box.y0)};
+            length_bound(box.x1 - box.x0, box.y1 - box.y0),
+            0};
   }
   [[nodiscard]] std::vector<SectorBlock> node_sectors(const Polygon& polygon,
                                                       const Ranks& ranks) const;

@@ -62,8 +62,12 @@ class LocalSuperset::Band {
   int looks_ = 0;
 };
 
-LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
-    : superset_(superset), slack_(slack), reach_(4 * superset.mean_edge_size()), window_(nowhere) {}
+LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack, PairsMet* met)
+    : superset_(superset),
+      slack_(slack),
+      met_(met),
+      reach_(4 * superset.mean_edge_size()),
+      window_(nowhere) {}
 
 void LocalSuperset::clear() {
   edges_.clear();
@@ -104,11 +108,14 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
               std::numeric_limits<double>::min();
   const Box wide{window.x0 - slack_, window.y0 - slack_, window.x1 + slack_, window.y1 + slack_};
   Band band(wide, dx_, dy_, leftmost_ + offset_tolerance(dx_, dy_, slack_));
-  superset_.search(band, [&](Index i, Index j) {
-    if (edges_.size() <= too_many) {
-      superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
-    }
-  });
+  superset_.search(
+      band,
+      [&](Index i, Index j) {
+        if (edges_.size() <= too_many) {
+          superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
+        }
+      },
+      met_);
   if (edges_.size() > too_many || band.is_exhausted()) {
     clear();
     reach_ *= 0.25;

@@ -17,7 +17,7 @@ namespace gcv {
 class LocalSuperset {
  public:
   // `slack`: at least twice what any relative coordinate of the sum is off by.
-  LocalSuperset(const ImplicitSuperset& superset, double slack);
+  LocalSuperset(const ImplicitSuperset& superset, double slack, PairsMet* met);
 
   // Is every superset edge that passes through the segment among the edges?
   [[nodiscard]] bool covers(const Point& from, const Point& to) const {
@@ -69,6 +69,7 @@ class LocalSuperset {
 
   const ImplicitSuperset& superset_;
   double slack_;
+  PairsMet* met_;
   double reach_;
   Box window_;
   double dx_ = 0;  // the band lies right of the line of the offset `leftmost_`

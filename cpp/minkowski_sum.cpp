@@ -6,6 +6,7 @@
 
 #include "contributing_vertices.hpp"
 #include "directions.hpp"
+#include "edge_sources.hpp"
 #include "error.hpp"
 #include "outer_face.hpp"
 #include "outward.hpp"
@@ -13,13 +14,6 @@
 namespace gcv {
 
 namespace {
-
-EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const Polygon& b) {
-  const bool a_is_edge = source.kind != EdgeKind::corner;
-  const bool b_is_edge = source.kind != EdgeKind::translated;
-  return {source.kind, a_is_edge ? a.edge_number[source.a] : a.vertex_number[source.a],
-          b_is_edge ? b.edge_number[source.b] : b.vertex_number[source.b]};
-}
 
 // The extreme coordinates of the sum are those of vertices of its outer face. Where one is
 // not finite, nor is a search in doubles of use: better to know before the walk.
@@ -56,25 +50,12 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   Walk walk = walk_outer_face(operands, task, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
-  face.exact = {a, b, shift, std::move(walk.vertices)};
+  face.exact = {a, b, shift, std::move(walk.vertices), walk.chains_are_repeated};
   face.rounded = rounding == Rounding::nearest ? round_to_nearest(face.exact, task, tally)
                                                : round_outward(face.exact, task, tally);
   face.rounded.error_bound =
       sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
   return face;
-}
-
-std::vector<EdgeSource> edge_sources(const ExactRing& ring) {
-  const Polygon& a = *ring.a.polygon;
-  const Polygon& b = *ring.b.polygon;
-  Tally tally;
-  const Operands operands{a, b, merge_directions(a, b, tally)};
-  std::vector<EdgeSource> sources;
-  sources.reserve(ring.size());
-  for (const RingVertex& v : ring.vertices) {
-    sources.push_back(in_callers_numbers(superset_source(operands, v.leaving), a, b));
-  }
-  return sources;
 }
 
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b) {

@@ -34,9 +34,6 @@ struct OuterFace {
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
                         Task& task);
 
-// The superset edge that each edge of the ring lies on, in the callers' numbers. O(n + m).
-std::vector<EdgeSource> edge_sources(const ExactRing& ring);
-
 // The explicit superset of a + b, its sources in the callers' numbers.
 std::vector<SupersetEdge> superset(const Polygon& a, const Polygon& b);
 

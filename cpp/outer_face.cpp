@@ -112,7 +112,10 @@ class Walker {
         slack_(slack),
         task_(task) {
     if (superset.implicit()) {
-      local_.emplace(*superset.implicit(), slack);
+      if (superset.implicit()->has_repeated_chains()) {
+        met_.emplace();
+      }
+      local_.emplace(*superset.implicit(), slack, met());
     }
   }
 
@@ -187,10 +190,6 @@ class Walker {
   [[nodiscard]] SumPoint point(Index i, Index j) const {
     return {operands_.a.vertices[i], operands_.b.vertices[j]};
   }
-  [[nodiscard]] SumPoint end_point(const PairEdge& e) const {
-    const Place end = end_of(e);
-    return point(end.i, end.j);
-  }
 
   // On which side of the line lies the sum of the vertices i and j? Where it is an end of
   // the edge, the indices say so.
@@ -216,7 +215,7 @@ class Walker {
   // Of edges on one line, in the same direction, the one that reaches furthest is walked;
   // of those, the first by kind and indices, so that the order of the search tells nothing.
   bool preferred(const Line& e, const Line& f) {
-    const int order = compare_along(f.at, end_point(f.edge), end_point(e.edge));
+    const int order = compare_along(f.at, operands_.end(f.edge), operands_.end(e.edge));
     const auto key = [](const Line& t) { return std::tuple(t.edge.kind, t.edge.i, t.edge.j); };
     return order > 0 || (order == 0 && key(e) < key(f));
   }
@@ -281,7 +280,8 @@ class Walker {
       if (!search_window(s, place, from, to, end, step)) {
         Piece piece(s.at, origin, from, to, slack_);
         search(s, place, parameter, end, step, piece, [&](const auto& visit) {
-          implicit.search(piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); });
+          implicit.search(
+              piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); }, met());
         });
       }
       if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
@@ -294,6 +294,8 @@ class Walker {
     stride_ = std::min(2 * way * size, 4 * stride_);
     return step;
   }
+
+  [[nodiscard]] PairsMet* met() { return met_ ? &*met_ : nullptr; }
 
   // Considers the edges that have a point in the piece of s, if a window holds them: that of the
   // last steps, or else a new one. False where it is too long for that.
@@ -470,13 +472,14 @@ class Walker {
     }
     const SumPoint q = point(sum.i, sum.j);
     return side_of_sum(t, sum.i, sum.j) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
-           compare_along(t.at, q, end_point(t.edge)) > 0;
+           compare_along(t.at, q, operands_.end(t.edge)) > 0;
   }
 
   const Operands& operands_;
   const Directions& directions_;
   const Superset& superset_;
   double slack_;
+  std::optional<PairsMet> met_;                              // where chains are repeated
   std::optional<LocalSuperset> local_;                       // where there is no tree
   double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
   Task& task_;
@@ -518,7 +521,9 @@ Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally) {
   for_each_in_parallel(arcs.size(), task.threads(), [&](std::size_t k) {
     arcs[k] = Walker(superset, slack, task).run(starts[k], starts[(k + 1) % starts.size()]);
   });
-  return join(std::move(arcs), tally);
+  Walk walk = join(std::move(arcs), tally);
+  walk.chains_are_repeated = superset.implicit() && superset.implicit()->has_repeated_chains();
+  return walk;
 }
 
 }  // namespace gcv

@@ -29,6 +29,8 @@ struct Walk {
   std::vector<RingVertex> vertices;
   std::uint64_t steps = 0;
   std::uint64_t candidates = 0;
+  // The edges of the vertices are any of those that coincide with them (repeated_chains.hpp).
+  bool chains_are_repeated = false;
 };
 
 Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally);

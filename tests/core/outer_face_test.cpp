@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "data.hpp"
+#include "edge_sources.hpp"
 #include "generators.hpp"
 #include "minkowski_sum.hpp"
 
