@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Searches that pass over what they have met, against all superset edges in fractions: no edge may
+// be missed but for one that coincides with it.
+#include "repeated_chains.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "generators.hpp"
+#include "implicit_superset.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::Ring;
+
+using Rational = boost::multiprecision::mpq_rational;
+using EdgeInFractions = std::tuple<Rational, Rational, Rational, Rational>;
+
+// All of the plane.
+struct Everywhere {
+  static ImplicitSuperset::Offsets offsets(const Box& /*box*/) { return {0, 0}; }
+  static void look(const ImplicitSuperset::Block& /*block*/,
+                   const ImplicitSuperset::Node& /*other*/, ImplicitSuperset::Look& look) {
+    look = {Lanes::all, {0, 0, 0, 0}, {0, 0, 0, 0}};
+  }
+};
+
+EdgeInFractions in_fractions(const Operands& operands, const PairEdge& e) {
+  const auto sum = [](double x, double y) { return Rational(Rational(x) + Rational(y)); };
+  const SumPoint from = operands.start(e);
+  const SumPoint to = operands.end(e);
+  return {sum(from.a.x, from.b.x), sum(from.a.y, from.b.y), sum(to.a.x, to.b.x),
+          sum(to.a.y, to.b.y)};
+}
+
+struct Found {
+  std::set<EdgeInFractions> edges;
+  std::size_t visits = 0;
+};
+
+Found find_all(const Operands& operands, const ImplicitSuperset& superset, PairsMet* met) {
+  Found found;
+  Everywhere everywhere;
+  superset.search(
+      everywhere,
+      [&](Index i, Index j) {
+        superset.for_each_edge(i, j, [&](const PairEdge& e) {
+          found.edges.insert(in_fractions(operands, e));
+          ++found.visits;
+        });
+      },
+      met);
+  return found;
+}
+
+// Only edges that coincide may be passed over. Tells what part of the visits is left.
+double expect_all_found(const Ring& ring_a, const Ring& ring_b) {
+  const Polygon a = make_polygon(ring_a, "a");
+  const Polygon b = make_polygon(ring_b, "b");
+  Tally tally;
+  const Operands operands{a, b, merge_directions(a, b, tally)};
+  const ImplicitSuperset superset(operands);
+  if (!superset.has_repeated_chains()) {
+    ADD_FAILURE() << "no repeated chains";
+    return 1;
+  }
+  PairsMet met;
+  const Found all = find_all(operands, superset, nullptr);
+  double part = 1;
+  for (int twice = 0; twice < 2; ++twice) {  // what one search has met, the next one meets again
+    const Found without_repetitions = find_all(operands, superset, &met);
+    EXPECT_EQ(all.edges, without_repetitions.edges);
+    part = static_cast<double>(without_repetitions.visits) / static_cast<double>(all.visits);
+  }
+  return part;
+}
+
+Ring scaled(Ring ring, double factor) {
+  for (Point& p : ring) {
+    p = {p.x * factor, p.y * factor};
+  }
+  return ring;
+}
+
+// Stairs up and down, again and again.
+Ring steps(Random& random) {
+  const int heights[] = {test::uniform(random, 3, 4), test::uniform(random, 1, 2),
+                         test::uniform(random, 3, 4), test::uniform(random, 1, 2)};
+  const int width = test::uniform(random, 1, 3);
+  constexpr int columns = 40;
+  Ring ring{{0, 0}, {static_cast<double>(columns * width), 0}};
+  for (int k = columns; k > 0; --k) {
+    const double height = heights[k % 4];
+    ring.push_back({static_cast<double>(width * k), height});
+    ring.push_back({static_cast<double>(width * (k - 1)), height});
+  }
+  return ring;
+}
+
+TEST(RepeatedChains, OfAPolygonWithItself) {
+  Random random(81);
+  for (int k = 0; k < 5; ++k) {
+    const Ring ring = test::random_spiky_star(random, 70 + k);
+    EXPECT_LT(expect_all_found(ring, ring), 0.6);
+  }
+}
+
+TEST(RepeatedChains, OfSteps) {
+  Random random(82);
+  for (int k = 0; k < 10; ++k) {
+    const Ring a = steps(random);
+    EXPECT_LT(expect_all_found(a, steps(random)), 0.7);
+  }
+}
+
+// Sums that differ from each other by less than a unit in the last place.
+TEST(RepeatedChains, WhereSumsAreNoDoubles) {
+  Random random(83);
+  for (int k = 0; k < 10; ++k) {
+    const Ring a = steps(random);
+    const Ring b = steps(random);
+    expect_all_found(a, scaled(b, 0x1p-60));
+    expect_all_found(scaled(a, 0x1p-1000), scaled(b, 0x1p-1060));
+    expect_all_found(scaled(a, 0x1p1010), b);
+  }
+}
+
+// The number of the edge that starts in vertex i.
+std::uint32_t number(const Polygon& polygon, const RepeatedChains::Numbers& numbers, Index i) {
+  return numbers[polygon.index().tree.first_block.back() + i / ChainTree::width]
+                [i % ChainTree::width];
+}
+
+// Two edges that differ in the last place only, or in what their starts contribute to.
+TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
+  Random random(84);
+  Ring ring = steps(random);
+  const Polygon before = make_polygon(ring, "a");
+  for (Point& p : ring) {
+    if (p.y == 1) {
+      p.y = std::nextafter(1.0, 2.0);
+    }
+  }
+  const Polygon after = make_polygon(ring, "b");
+  Tally tally;
+  const Operands operands{before, after, merge_directions(before, after, tally)};
+  const RepeatedChains chains = find_repeated_chains(operands);
+  ASSERT_TRUE(chains.exist());
+  const auto vector = [](const Polygon& polygon, Index i) {
+    const Point& p = polygon.vertices[i];
+    const Point& q = polygon.vertices[polygon.next(i)];
+    return std::pair(Rational(Rational(q.x) - Rational(p.x)),
+                     Rational(Rational(q.y) - Rational(p.y)));
+  };
+  const auto cone = [](const Polygon& polygon, const Ranks& ranks, Index i) {
+    return polygon.convex[i] != 0 ? std::pair(true, ranks[polygon.previous(i)])
+                                  : std::pair(false, Rank{0});
+  };
+  int equal = 0;
+  for (Index i = 0; i < before.size(); ++i) {
+    for (Index j = 0; j < after.size(); ++j) {
+      const bool are_equal =
+          vector(before, i) == vector(after, j) &&
+          cone(before, operands.directions.rank_a, i) == cone(after, operands.directions.rank_b, j);
+      ASSERT_EQ(are_equal, number(before, chains.a, i) == number(after, chains.b, j));
+      equal += are_equal ? 1 : 0;
+    }
+  }
+  EXPECT_GT(equal, 0);
+}
+
+TEST(RepeatedChains, NoneOfFewEdgesOrOfMostlyDifferentOnes) {
+  Random random(85);
+  const auto exist = [](const Ring& ring_a, const Ring& ring_b) {
+    const Polygon a = make_polygon(ring_a, "a");
+    const Polygon b = make_polygon(ring_b, "b");
+    Tally tally;
+    return find_repeated_chains({a, b, merge_directions(a, b, tally)}).exist();
+  };
+  const Ring stairs = steps(random);
+  const Ring star = test::random_spiky_star(random, 70);
+  EXPECT_TRUE(exist(stairs, stairs));
+  EXPECT_FALSE(exist(stairs, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
+  EXPECT_FALSE(exist(star, test::random_spiky_star(random, 70)));
+  EXPECT_FALSE(exist(test::random_histogram(random, 100, 1 << 20),
+                     test::random_histogram(random, 100, 1 << 20)));
+  Ring longest = stairs;  // its longest edge is longer than the largest double
+  const double width = stairs[1].x;
+  for (Point& p : longest) {
+    p = {(2 * p.x / width - 1) * 0x1.8p1023, p.y};
+  }
+  EXPECT_FALSE(exist(longest, longest));
+}
+
+}  // namespace
+}  // namespace gcv
