@@ -140,19 +140,12 @@ std::uint32_t number(const Polygon& polygon, const RepeatedChains::Numbers& numb
                 [i % ChainTree::width];
 }
 
-// Two edges that differ in the last place only, or in what their starts contribute to.
-TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
-  Random random(84);
-  Ring ring = steps(random);
-  const Polygon before = make_polygon(ring, "a");
-  for (Point& p : ring) {
-    if (p.y == 1) {
-      p.y = std::nextafter(1.0, 2.0);
-    }
-  }
-  const Polygon after = make_polygon(ring, "b");
+// The numbers of the edges of two polygons, against what they say of them.
+void expect_right_numbers(const Ring& ring_a, const Ring& ring_b) {
+  const Polygon a = make_polygon(ring_a, "a");
+  const Polygon b = make_polygon(ring_b, "b");
   Tally tally;
-  const Operands operands{before, after, merge_directions(before, after, tally)};
+  const Operands operands{a, b, merge_directions(a, b, tally)};
   const RepeatedChains chains = find_repeated_chains(operands);
   ASSERT_TRUE(chains.exist());
   const auto vector = [](const Polygon& polygon, Index i) {
@@ -166,16 +159,37 @@ TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
                                   : std::pair(false, Rank{0});
   };
   int equal = 0;
-  for (Index i = 0; i < before.size(); ++i) {
-    for (Index j = 0; j < after.size(); ++j) {
+  for (Index i = 0; i < a.size(); ++i) {
+    for (Index j = 0; j < b.size(); ++j) {
       const bool are_equal =
-          vector(before, i) == vector(after, j) &&
-          cone(before, operands.directions.rank_a, i) == cone(after, operands.directions.rank_b, j);
-      ASSERT_EQ(are_equal, number(before, chains.a, i) == number(after, chains.b, j));
+          vector(a, i) == vector(b, j) &&
+          cone(a, operands.directions.rank_a, i) == cone(b, operands.directions.rank_b, j);
+      ASSERT_EQ(are_equal, number(a, chains.a, i) == number(b, chains.b, j));
       equal += are_equal ? 1 : 0;
     }
   }
   EXPECT_GT(equal, 0);
+}
+
+Ring transposed(Ring ring) {
+  for (Point& p : ring) {
+    p = {p.y, p.x};
+  }
+  return ring;
+}
+
+// Edges that differ in the last place only, or in what their starts contribute to.
+TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
+  Random random(84);
+  for (int k = 0; k < 10; ++k) {
+    const Ring ring = steps(random);
+    Ring moved = ring;
+    for (Point& p : moved) {
+      p.y = p.y == 1 ? std::nextafter(1.0, 2.0) : p.y;
+    }
+    expect_right_numbers(ring, moved);
+    expect_right_numbers(transposed(ring), transposed(moved));
+  }
 }
 
 TEST(RepeatedChains, NoneOfFewEdgesOrOfMostlyDifferentOnes) {
