@@ -18,6 +18,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "contributing_vertices.hpp"
 #include "error.hpp"
@@ -41,7 +42,10 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, 
       {{polygon, "the rounded ring"}, {growth, "the square"}, {0, 0}, std::move(walk.vertices)},
       {}};
   try {
-    grown.placement = place_simply(grown.ring, task, tally);
+    Placement placement = place_nearest(grown.ring, task, tally);
+    if (make_simple(grown.ring, placement, task, tally)) {
+      grown.placement = std::move(placement);
+    }
   } catch (const Error& error) {
     if (error.status() != Status::range) {
       throw;

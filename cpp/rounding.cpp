@@ -181,48 +181,45 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   return placement;
 }
 
-std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally) {
-  Placement nearest = place_nearest(ring, task, tally);
-  if (nearest.error_bound == 0) {  // the exact ring itself, which is simple
-    return nearest;
+bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally& tally) {
+  // Where no place is rounded, it is the exact ring itself, which is simple.
+  if (placement.error_bound == 0 || make_simple_ring(placement.places, task.threads())) {
+    return true;
   }
-  if (make_simple_ring(nearest.places, task.threads())) {
-    return nearest;
-  }
-  std::optional<std::vector<Point>> separated = separate(ring, nearest.places, tally);
+  std::optional<std::vector<Point>> separated = separate(ring, placement.places, tally);
   if (!separated) {
-    return std::nullopt;
+    return false;
   }
-  Placement placement{std::move(*separated), 0, 0};
+  double furthest = 0;
   for (std::size_t k = 0; k < ring.size(); ++k) {
-    const Point& p = nearest.places[k];
-    const Point& q = placement.places[k];
+    const Point& p = placement.places[k];
+    const Point& q = (*separated)[k];
     if (!(p == q)) {
       ++placement.repaired;
-      placement.error_bound = std::max(placement.error_bound, length_bound(q.x - p.x, q.y - p.y));
+      furthest = std::max(furthest, length_bound(q.x - p.x, q.y - p.y));
     }
   }
-  placement.error_bound = sum_bound(placement.error_bound, nearest.error_bound);
-  return placement;
+  placement.places = std::move(*separated);
+  placement.error_bound = sum_bound(furthest, placement.error_bound);
+  return true;
 }
 
 // Moving the vertices of a ring by at most d moves each point of it by at most d, so the
 // rings are within the largest error of a vertex of each other.
 RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally) {
-  if (std::optional<Placement> placement = place_simply(ring, task, tally)) {
-    return {ring_through(std::move(placement->places)), placement->error_bound,
-            placement->repaired};
+  Placement placement = place_nearest(ring, task, tally);
+  if (make_simple(ring, placement, task, tally)) {
+    return {ring_through(std::move(placement.places)), placement.error_bound, placement.repaired};
   }
-  const Placement nearest = place_nearest(ring, task, tally);
-  const std::optional<UntangledRing> untangled = untangle(ring_through(nearest.places), tally);
+  const std::optional<UntangledRing> untangled = untangle(ring_through(placement.places), tally);
   if (!untangled) {
     throw Error(Status::range, "the outer face is too small for doubles: rounding leaves no area");
   }
   RoundedRing rounded;
   rounded.vertices = ring_through(untangled->vertices);
-  rounded.error_bound = sum_bound(untangled->error_bound, nearest.error_bound);
-  rounded.vertices_repaired = count_missing(nearest.places, rounded.vertices) +
-                              count_missing(rounded.vertices, nearest.places);
+  rounded.error_bound = sum_bound(untangled->error_bound, placement.error_bound);
+  rounded.vertices_repaired = count_missing(placement.places, rounded.vertices) +
+                              count_missing(rounded.vertices, placement.places);
   return rounded;
 }
 

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "exact_ring.hpp"
@@ -24,10 +23,9 @@ struct Placement {
 // not finite.
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally);
 
-// The nearest doubles; where the ring through them is not simple, vertices in the way are
-// moved apart (repair.hpp). Nothing where that does not make it simple. Throws as
-// place_nearest.
-std::optional<Placement> place_simply(const ExactRing& ring, Task& task, Tally& tally);
+// Given the nearest doubles: where the ring through them is not simple, vertices in the way are
+// moved apart (repair.hpp). False, and nothing is changed, where that does not make it simple.
+bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally& tally);
 
 struct RoundedRing {
   // A simple ring, counter-clockwise, from its lexicographically smallest vertex.

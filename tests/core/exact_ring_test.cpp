@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_ring.hpp"
+
+#include <gtest/gtest.h>
+
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <memory>
+#include <sstream>
+#include <vector>
+
+#include "generators.hpp"
+#include "minkowski_sum.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::Ring;
+
+using Rational = boost::multiprecision::mpq_rational;
+
+struct Fractions {
+  Rational x;
+  Rational y;
+};
+
+Fractions vertex(const ExactRing& ring, std::size_t k) {
+  std::istringstream text(exact_vertex(ring, k));
+  Fractions p;
+  text >> p.x >> p.y;
+  return p;
+}
+
+ExactRing ring_of(const Ring& a, const Ring& b) {
+  const auto operand = [](const Ring& ring, const char* name) {
+    return Operand{std::make_shared<const Polygon>(make_polygon(ring, name)), name};
+  };
+  Task task;
+  return minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0}, Rounding::nearest, task).exact;
+}
+
+// Each vertex against the line of each edge, in fractions.
+void expect_right_sides(const ExactRing& ring) {
+  std::vector<Fractions> vertices;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    vertices.push_back(vertex(ring, k));
+  }
+  Tally tally;
+  for (std::size_t e = 0; e < ring.size(); ++e) {
+    const Fractions& p = vertices[e];
+    const Fractions& q = vertices[e + 1 == ring.size() ? 0 : e + 1];
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+      const Fractions& r = vertices[k];
+      const Rational cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+      ASSERT_EQ(exact_side(ring, e, k, tally), cross.sign());
+    }
+  }
+}
+
+TEST(ExactRing, SidesOfVertices) {
+  Random random(91);
+  for (int k = 0; k < 20; ++k) {
+    expect_right_sides(
+        ring_of(test::random_spiky_star(random, 20), test::random_spiky_star(random, 16)));
+    expect_right_sides(ring_of(test::random_small_integer_polygon(random, 12, 9),
+                               test::random_histogram(random, 6, 5)));
+  }
+}
+
+// Vertices next to lines, by a few units in the last place, far from the origin and next to it.
+TEST(ExactRing, SidesOfVerticesNextToLines) {
+  Random random(92);
+  for (int k = 0; k < 20; ++k) {
+    const Ring a = test::random_spiky_star(random, 16);
+    Ring b = test::negated(a);
+    for (Point& p : b) {
+      p = {std::ldexp(p.x, -40 - k), std::ldexp(p.y, -40 - k)};
+    }
+    expect_right_sides(ring_of(a, b));
+    Ring far = a;
+    for (Point& p : far) {
+      p = {p.x + 0x1p40, p.y - 0x1p40};
+    }
+    expect_right_sides(ring_of(far, b));
+  }
+}
+
+TEST(ExactRing, SidesAtTheEndsOfTheRange) {
+  Random random(93);
+  for (const int exponent : {-1070, -1000, -500, 480, 1010}) {
+    for (int k = 0; k < 5; ++k) {
+      Ring a = test::random_spiky_star(random, 16);
+      Ring b = test::random_spiky_star(random, 12);
+      for (Ring* const ring : {&a, &b}) {
+        for (Point& p : *ring) {
+          p = {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
+        }
+      }
+      expect_right_sides(ring_of(a, b));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gcv
