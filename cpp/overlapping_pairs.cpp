@@ -11,11 +11,11 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 
 }  // namespace
 
-OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) {
+OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1U) {
   build(boxes.size(), [&](std::size_t k) { return boxes[k]; });
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring) {
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
   build(ring.size(),
         [&](std::size_t k) { return box_of(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]); });
 }

@@ -21,7 +21,8 @@ class OverlappingPairs {
  public:
   explicit OverlappingPairs(std::span<const Box> boxes);
 
-  // The boxes of the edges of a closed ring.
+  // The boxes of the edges of a closed ring. Most pairs of neighbours, which always overlap, are
+  // passed over.
   explicit OverlappingPairs(std::span<const Point> ring);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
@@ -92,9 +93,10 @@ class OverlappingPairs {
     bool within(std::uint32_t level, std::uint32_t node) {
       const Block& block = pairs.block(level, node);
       const std::uint32_t lanes = pairs.children(level, node);
+      const unsigned after_first = level == 0 ? pairs.after_first_ : ~1U;
       for (std::uint32_t lane = 0; lane < lanes; ++lane) {
         const std::uint32_t child = width * node + lane;
-        const unsigned later = ~1U << lane & ~(~0U << lanes);
+        const unsigned later = after_first << lane & ~(~0U << lanes);
         if (!with_children(level, child, block, block.box(lane), later, node) ||
             (level > 0 && !within(level - 1, child))) {
           return false;
@@ -152,6 +154,7 @@ class OverlappingPairs {
   }
 
   std::uint32_t boxes_;
+  unsigned after_first_;  // the lanes that a box in the first lane of its node may be paired with
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
   std::vector<Block> blocks_;

@@ -65,26 +65,31 @@ bool are_equal(const DoubledNumber& p, const DoubledNumber& q) {
   return p.is_exact && q.is_exact && p.head == q.head && p.tail == q.tail;
 }
 
+// The sign of a b - c d; nothing where it is out of range. Of two products that round differently,
+// or else of their errors, the larger decides: rounding is monotonic.
+std::optional<int> compare_products(double a, double b, double c, double d) {
+  const double left = a * b;
+  const double right = c * d;
+  if (left != right) {
+    return sign_of(left - right);
+  }
+  if ((a == 0 || b == 0) && (c == 0 || d == 0)) {
+    return 0;
+  }
+  if (!(std::abs(left) >= 0x1p-900 && std::abs(left) <= 0x1p1000)) {
+    return std::nullopt;
+  }
+  return sign_of(std::fma(a, b, -left) - std::fma(c, d, -right));
+}
+
 // The sign of v x w, as doubled_cross; nothing where it is too close, or out of range.
 //
-// On grids of few bits, where most ties are, all are doubles, and of two products that round
-// differently, or else of their errors, the larger decides: rounding is monotonic. Most other
-// ties are those of a polygon with itself.
+// On grids of few bits, where most ties are, all are doubles. Most other ties are those of a
+// polygon with itself.
 std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy,
                                 const DoubledNumber& wx, const DoubledNumber& wy) {
   if (vx.is_double() && vy.is_double() && wx.is_double() && wy.is_double()) {
-    const double left = vx.head * wy.head;
-    const double right = vy.head * wx.head;
-    if (left != right) {
-      return sign_of(left - right);
-    }
-    if ((vx.head == 0 || wy.head == 0) && (vy.head == 0 || wx.head == 0)) {
-      return 0;
-    }
-    if (!(std::abs(left) >= 0x1p-900 && std::abs(left) <= 0x1p1000)) {
-      return std::nullopt;
-    }
-    return sign_of(std::fma(vx.head, wy.head, -left) - std::fma(vy.head, wx.head, -right));
+    return compare_products(vx.head, wy.head, vy.head, wx.head);
   }
   if (are_equal(vx, wx) && are_equal(vy, wy)) {
     return 0;
@@ -193,6 +198,12 @@ int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tall
   if (std::abs(difference) > 2 * error) {
     ++tally.fixed_width;
     return sign_of(difference);
+  }
+  if (p.is_fraction && q.is_fraction) {
+    if (const std::optional<int> order = compare_products(p.n, q.d, q.n, p.d)) {
+      ++tally.fixed_width;
+      return *order * sign_of(p.d) * sign_of(q.d);
+    }
   }
   return exact::compare_crossings(s, t, r, tally);
 }

@@ -162,21 +162,25 @@ class Sweep {
   Tally tally_;
 };
 
-// Do the neighbours pq and qr overlap?
-bool folds_back(const Point& p, const Point& q, const Point& r, Tally& tally) {
+std::size_t next_in(std::span<const Point> ring, std::size_t i) {
+  return i + 1 == ring.size() ? 0 : i + 1;
+}
+
+// Does the ring turn back at vertex i, so that the edges before and behind it overlap?
+bool folds_back(std::span<const Point> ring, std::size_t i, Tally& tally) {
+  const Point& p = ring[i == 0 ? ring.size() - 1 : i - 1];
+  const Point& q = ring[i];
+  const Point& r = ring[next_in(ring, i)];
   return lexicographically_less(p, q) != lexicographically_less(q, r) &&
          orientation(p, q, r, tally) == 0;
 }
 
+// Are edges e and f no neighbours, and do they meet?
 bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tally& tally) {
-  const auto next = [&](std::size_t i) { return i + 1 == ring.size() ? 0 : i + 1; };
-  if (next(e) == f) {
-    return folds_back(ring[e], ring[f], ring[next(f)], tally);
-  }
-  if (next(f) == e) {
-    return folds_back(ring[f], ring[e], ring[next(e)], tally);
-  }
-  return segments_meet(ring[e], ring[next(e)], ring[f], ring[next(f)], tally);
+  const std::size_t after_e = next_in(ring, e);
+  const std::size_t after_f = next_in(ring, f);
+  return after_e != f && after_f != e &&
+         segments_meet(ring[e], ring[after_e], ring[f], ring[after_f], tally);
 }
 
 // Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
@@ -185,16 +189,23 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
 bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
   constexpr std::uint64_t pairs_per_edge = 8;
   constexpr std::size_t many_edges = 4096;
+  Tally tally;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    if (folds_back(ring, i, tally)) {
+      return false;
+    }
+  }
   const OverlappingPairs pairs(ring);
   const std::uint32_t level =
       pairs.last_level() - (threads > 1 && ring.size() > many_edges ? 2 : 0);
   const std::uint32_t parts = pairs.nodes(level);
   std::atomic<bool> seen{true};
   for_each_in_parallel(parts, threads, [&](std::size_t part) {
-    Tally tally;
-    if (!pairs.visit_from(
-            level, static_cast<std::uint32_t>(part), pairs_per_edge * ring.size() / parts,
-            [&](std::size_t e, std::size_t f) { return !conflicting(ring, e, f, tally); })) {
+    Tally tally_of_part;
+    if (!pairs.visit_from(level, static_cast<std::uint32_t>(part),
+                          pairs_per_edge * ring.size() / parts, [&](std::size_t e, std::size_t f) {
+                            return !conflicting(ring, e, f, tally_of_part);
+                          })) {
       seen = false;
     }
   });
@@ -226,6 +237,12 @@ bool is_counter_clockwise(std::span<const Point> ring) {
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
   std::vector<Conflict> conflicts;
   Tally tally;
+  for (std::size_t e = 0; e < ring.size(); ++e) {
+    const std::size_t f = next_in(ring, e);
+    if (folds_back(ring, f, tally)) {
+      conflicts.push_back({std::min(e, f), std::max(e, f)});
+    }
+  }
   OverlappingPairs(ring).visit_all([&](std::size_t e, std::size_t f) {
     if (conflicting(ring, e, f, tally)) {
       conflicts.push_back({std::min(e, f), std::max(e, f)});
@@ -242,6 +259,12 @@ std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring) {
   constexpr std::uint64_t pairs_per_edge = 64;
   std::vector<std::uint8_t> is_wrong(ring.size());
   Tally tally;
+  for (std::size_t e = 0; e < ring.size(); ++e) {
+    const std::size_t f = next_in(ring, e);
+    if (folds_back(ring, f, tally)) {
+      is_wrong[e] = is_wrong[f] = 1;
+    }
+  }
   const bool all_seen = OverlappingPairs(ring).visit_some(
       pairs_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
         if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
