@@ -23,9 +23,6 @@ double mean_edge_size_of(const Operands& operands) {
 
 }  // namespace
 
-ImplicitSuperset::ImplicitSuperset(const Operands& operands)
-    : ImplicitSuperset(operands, find_repeated_chains(operands)) {}
-
 ImplicitSuperset::ImplicitSuperset(const Operands& operands, RepeatedChains chains)
     : operands_(operands),
       a_{operands.a.index().tree, operands.a.index().capsules,

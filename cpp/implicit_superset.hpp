@@ -43,7 +43,8 @@ inline double offset_tolerance(double dx, double dy, double slack) {
 
 class ImplicitSuperset {
  public:
-  explicit ImplicitSuperset(const Operands& operands);
+  // Searches can pass over what they have met where the repeated chains are given.
+  explicit ImplicitSuperset(const Operands& operands, RepeatedChains chains = {});
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
   [[nodiscard]] double mean_edge_size() const { return mean_edge_size_; }
@@ -183,8 +184,6 @@ class ImplicitSuperset {
       });
     }
   };
-
-  ImplicitSuperset(const Operands& operands, RepeatedChains chains);
 
   // The sectors of the ranks counter-clockwise from first to last; never a full turn.
   [[nodiscard]] Sectors sectors(Rank first, Rank last) const;

@@ -26,6 +26,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <utility>
 
 #include "convex_sum.hpp"
 #include "doubled.hpp"
@@ -77,16 +78,22 @@ struct Arc {
   Tally tally;
 };
 
-// The superset in one of two forms: all of it in a tree where it is small, or else implicit.
+// The superset in one of two forms: all of it in a tree where it is small, or else implicit. Where
+// repeated chains prevail, a small one holds too many edges that coincide.
 class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
     const RankedEdges ranked(operands.directions);
     const std::uint64_t size = count_superset(operands, ranked);
-    if (size <= SupersetTree::most_edges) {
+    const bool is_small = size <= SupersetTree::most_edges;
+    RepeatedChains chains;
+    if (!is_small || chains_can_prevail(operands)) {
+      chains = find_repeated_chains(operands);
+    }
+    if (is_small && !chains.prevail) {
       tree_.emplace(operands, ranked, size);
     } else {
-      implicit_.emplace(operands);
+      implicit_.emplace(operands, std::move(chains));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 namespace gcv {
 
@@ -24,29 +25,31 @@ using ChainKey = std::array<std::uint32_t, ChainTree::width>;
 // Numbers the edges and the chains of both polygons.
 class Numbering {
  public:
-  explicit Numbering(const Operands& operands)
-      : operands_(operands),
-        edges_(std::size_t{operands.a.size()} + operands.b.size()),
-        chains_(operands.a.index().tree.blocks.size() + operands.b.index().tree.blocks.size()) {}
+  explicit Numbering(const Operands& operands) : operands_(operands) {}
 
   // Nothing where few are repeated, or where numbers overflow.
   RepeatedChains run() {
-    RepeatedChains numbers;
     const Directions& directions = operands_.directions;
-    if (!number_edges(operands_.a, directions.rank_a, numbers.a) ||
-        !number_edges(operands_.b, directions.rank_b, numbers.b) ||
-        !are_repeated(edge_numbers_.size(), edges_)) {
+    const std::optional<Edges> a = number_edges(operands_.a, directions.rank_a);
+    const std::optional<Edges> b = number_edges(operands_.b, directions.rank_b);
+    if (!a || !b || edge_numbers_.size() > at_most(a->size() + b->size())) {
       return {};
     }
-    number_chains(operands_.a.index().tree, numbers.a);
-    number_chains(operands_.b.index().tree, numbers.b);
-    return are_repeated(chain_numbers_.size(), chains_) ? numbers : RepeatedChains{};
+    RepeatedChains chains{number_chains(operands_.a.index().tree, *a),
+                          number_chains(operands_.b.index().tree, *b), false};
+    const std::size_t all = chains.a.size() + chains.b.size();
+    if (chain_numbers_.size() > at_most(all)) {
+      return {};
+    }
+    chains.prevail = 4 * chain_numbers_.size() <= all;
+    return chains;
   }
 
  private:
-  static bool are_repeated(std::size_t different, std::size_t all) {
-    return different <= all - all / 4;
-  }
+  using Edges = std::vector<std::uint32_t>;
+
+  // How many different ones there may be of so many.
+  static std::size_t at_most(std::size_t all) { return all - all / 4; }
 
   template <class Key>
   std::uint32_t number(std::map<Key, std::uint32_t>& numbers, const Key& key) {
@@ -55,55 +58,63 @@ class Numbering {
     return place->second;
   }
 
-  // False where a coordinate of an edge overflows.
-  bool number_edges(const Polygon& polygon, const Ranks& ranks, RepeatedChains::Numbers& numbers) {
-    const ChainTree& tree = polygon.index().tree;
-    numbers.resize(tree.blocks.size());
+  // Nothing where a coordinate of an edge overflows.
+  std::optional<Edges> number_edges(const Polygon& polygon, const Ranks& ranks) {
+    Edges edges(polygon.size());
     for (Index i = 0; i < polygon.size(); ++i) {
       const Point& p = polygon.vertices[i];
       const Point& q = polygon.vertices[polygon.next(i)];
       const DoubledNumber x = doubled_sum(q.x, -p.x);
       const DoubledNumber y = doubled_sum(q.y, -p.y);
       if (!x.is_exact || !y.is_exact) {
-        return false;
+        return std::nullopt;
       }
       const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
       const EdgeKey key{bits(x.head), bits(x.tail), bits(y.head), bits(y.tail),
                         polygon.convex[i] != 0 ? ranks[polygon.previous(i)] : no_cone};
-      numbers[tree.first_block.back() + i / ChainTree::width][i % ChainTree::width] =
-          number(edge_numbers_, key);
+      edges[i] = number(edge_numbers_, key);
     }
-    return true;
+    return edges;
   }
 
-  void number_chains(const ChainTree& tree, RepeatedChains::Numbers& numbers) {
+  RepeatedChains::Numbers number_chains(const ChainTree& tree, const Edges& edges) {
+    constexpr std::uint32_t width = ChainTree::width;
+    RepeatedChains::Numbers numbers(tree.blocks.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      numbers[tree.first_block.back() + i / width][i % width] = edges[i];
+    }
     for (std::size_t depth = tree.first_block.size() - 1; depth > 0; --depth) {
       const std::uint32_t first = tree.first_block[depth];
       const std::size_t end =
           depth + 1 < tree.first_block.size() ? tree.first_block[depth + 1] : numbers.size();
       for (std::uint32_t k = 0; first + k < end; ++k) {
-        numbers[tree.first_block[depth - 1] + k / ChainTree::width][k % ChainTree::width] =
+        numbers[tree.first_block[depth - 1] + k / width][k % width] =
             number(chain_numbers_, numbers[first + k]);
       }
     }
+    return numbers;
   }
 
   const Operands& operands_;
-  std::size_t edges_;
-  std::size_t chains_;
   std::map<EdgeKey, std::uint32_t> edge_numbers_;
   std::map<ChainKey, std::uint32_t> chain_numbers_;
   std::uint32_t last_ = 0;
 };
 
-}  // namespace
-
-RepeatedChains find_repeated_chains(const Operands& operands) {
+// Does each line direction belong to so many edges on average, and has each polygon enough of them?
+bool directions_are_repeated(const Operands& operands, std::size_t times) {
   const Index a = operands.a.size();
   const Index b = operands.b.size();
-  const std::size_t directions = operands.directions.half_turn;
-  const bool can_exist = std::min(a, b) >= fewest_edges && 2 * directions <= std::size_t{a} + b;
-  return can_exist ? Numbering(operands).run() : RepeatedChains{};
+  return std::min(a, b) >= fewest_edges &&
+         times * operands.directions.half_turn <= std::size_t{a} + b;
+}
+
+}  // namespace
+
+bool chains_can_prevail(const Operands& operands) { return directions_are_repeated(operands, 8); }
+
+RepeatedChains find_repeated_chains(const Operands& operands) {
+  return directions_are_repeated(operands, 2) ? Numbering(operands).run() : RepeatedChains{};
 }
 
 }  // namespace gcv

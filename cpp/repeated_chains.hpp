@@ -28,12 +28,16 @@ struct RepeatedChains {
 
   Numbers a;  // empty where few chains are repeated
   Numbers b;
+  bool prevail = false;  // there are four times as many chains as different ones, or more
 
   [[nodiscard]] bool exist() const { return !a.empty(); }
 };
 
 // O((n + m) log(n + m)); O(1) where the directions of the edges tell that few are repeated.
 RepeatedChains find_repeated_chains(const Operands& operands);
+
+// Do the directions of the edges allow that repeated chains prevail? O(1).
+bool chains_can_prevail(const Operands& operands);
 
 // The pairs of chains, one of each polygon, that a search has met lately.
 class PairsMet {

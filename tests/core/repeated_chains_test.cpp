@@ -68,7 +68,7 @@ double expect_all_found(const Ring& ring_a, const Ring& ring_b) {
   const Polygon b = make_polygon(ring_b, "b");
   Tally tally;
   const Operands operands{a, b, merge_directions(a, b, tally)};
-  const ImplicitSuperset superset(operands);
+  const ImplicitSuperset superset(operands, find_repeated_chains(operands));
   if (!superset.has_repeated_chains()) {
     ADD_FAILURE() << "no repeated chains";
     return 1;
