@@ -4,13 +4,12 @@
 //             [--systems NAME,...]
 //
 // Measures all systems on the pairs of the sets, side by side: in every round each system
-// runs once on the pair, in a process of its own. Writes one line of JSON for each pair.
+// runs once on each pair of a set, in a process of its own. Writes one line of JSON for each pair.
 #include <algorithm>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
-#include <iterator>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -75,6 +74,7 @@ struct Series {
     }
   }
 
+  [[nodiscard]] bool is_empty() const { return seconds.empty() && last.failure.empty(); }
   [[nodiscard]] bool is_over() const {
     return !last.failure.empty() || (!seconds.empty() && seconds.back() > once_is_enough);
   }
@@ -97,6 +97,14 @@ struct Series {
   }
 };
 
+// One pair of a set, and what has been measured on it.
+struct Trial {
+  std::string name;
+  Ring a;
+  Ring b;
+  std::vector<Series> results;  // of each system
+};
+
 class Comparison {
  public:
   explicit Comparison(Options options) : options_(std::move(options)), systems_(systems()) {}
@@ -111,49 +119,54 @@ class Comparison {
 
  private:
   void run(const Set& set) {
-    std::set<std::string> cut_off;
+    std::vector<Trial> trials;
     for (const Pair& pair : set.pairs) {
       auto [a, b] = pair.make();
-      a = tidy(a);
-      b = tidy(b);
-      // In a set that grows, what was cut off is not tried on larger pairs.
-      const auto is_tried = [&](const System& system) {
-        const double vertex_pairs = static_cast<double>(a.size()) * static_cast<double>(b.size());
-        const bool is_asked = options_.systems.empty() || contains(options_.systems, system.name);
-        const bool is_invited =
-            system.role == Role::libgcv ||
-            ((set.for_all_peers || system.role == Role::principal_peer) &&
-             vertex_pairs <= std::min(system.most_vertex_pairs, set.most_vertex_pairs_for_peers));
-        return is_asked && is_invited && !(set.grows && cut_off.contains(system.name));
-      };
-      std::vector<System> tried;
-      std::copy_if(systems_.begin(), systems_.end(), std::back_inserter(tried), is_tried);
-      const std::vector<Series> results = run(tried, a, b);
-      std::string json;
-      for (std::size_t k = 0; k < tried.size(); ++k) {
-        if (results[k].last.is_cut_off) {
-          cut_off.insert(tried[k].name);
+      trials.push_back({pair.name, tidy(a), tidy(b), std::vector<Series>(systems_.size())});
+    }
+    std::vector<std::uint8_t> is_cut_off(systems_.size());
+    for (int round = 0; round < options_.rounds; ++round) {
+      for (Trial& trial : trials) {
+        for (std::size_t k = 0; k < systems_.size(); ++k) {
+          Series& series = trial.results[k];
+          // In a set that grows, what was cut off is not tried on larger pairs.
+          if (series.is_over() || (set.grows && is_cut_off[k] != 0) ||
+              !is_tried(systems_[k], set, trial)) {
+            continue;
+          }
+          series.add(measure(systems_[k], trial.a, trial.b, {options_.limit}));
+          is_cut_off[k] |= series.last.is_cut_off ? 1U : 0U;
         }
-        json += (k == 0 ? "" : ", ") + quoted(tried[k].name) + ": " + results[k].json();
       }
-      std::printf("{\"set\": %s, \"pair\": %s, \"a\": %s, \"b\": %s, \"results\": {%s}}\n",
-                  quoted(set.name).c_str(), quoted(pair.name).c_str(), described(a).c_str(),
-                  described(b).c_str(), json.c_str());
-      std::fflush(stdout);
+    }
+    for (const Trial& trial : trials) {
+      print(set, trial);
     }
   }
 
-  [[nodiscard]] std::vector<Series> run(const std::vector<System>& tried, const Ring& a,
-                                        const Ring& b) const {
-    std::vector<Series> results(tried.size());
-    for (int round = 0; round < options_.rounds; ++round) {
-      for (std::size_t k = 0; k < tried.size(); ++k) {
-        if (!results[k].is_over()) {
-          results[k].add(measure(tried[k], a, b, {options_.limit}));
-        }
+  [[nodiscard]] bool is_tried(const System& system, const Set& set, const Trial& trial) const {
+    const double vertex_pairs =
+        static_cast<double>(trial.a.size()) * static_cast<double>(trial.b.size());
+    const bool is_asked = options_.systems.empty() || contains(options_.systems, system.name);
+    const bool is_invited =
+        system.role == Role::libgcv ||
+        ((set.for_all_peers || system.role == Role::principal_peer) &&
+         vertex_pairs <= std::min(system.most_vertex_pairs, set.most_vertex_pairs_for_peers));
+    return is_asked && is_invited;
+  }
+
+  void print(const Set& set, const Trial& trial) const {
+    std::string json;
+    for (std::size_t k = 0; k < systems_.size(); ++k) {
+      if (!trial.results[k].is_empty()) {
+        json +=
+            (json.empty() ? "" : ", ") + quoted(systems_[k].name) + ": " + trial.results[k].json();
       }
     }
-    return results;
+    std::printf("{\"set\": %s, \"pair\": %s, \"a\": %s, \"b\": %s, \"results\": {%s}}\n",
+                quoted(set.name).c_str(), quoted(trial.name).c_str(), described(trial.a).c_str(),
+                described(trial.b).c_str(), json.c_str());
+    std::fflush(stdout);
   }
 
   Options options_;

@@ -29,23 +29,25 @@ double cells_per_unit(const Ring& a, const Ring& b, int bits) {
 
 std::vector<System> systems() {
   constexpr double any = std::numeric_limits<double>::infinity();
-  return {{"libgcv", Role::libgcv, any, libgcv_cold(GCV_LIBRARY)},
-          {"libgcv prepared", Role::libgcv, any, libgcv_prepared(GCV_LIBRARY)},
-          {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
-          {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
-          {"libgcv without capsules", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
-          {"libgcv without tree", Role::libgcv, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
-          {"libgcv without windows", Role::libgcv, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
-          {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
+  return {
+      {"libgcv", Role::libgcv, any, libgcv_cold(GCV_LIBRARY)},
+      {"libgcv prepared", Role::libgcv, any, libgcv_prepared(GCV_LIBRARY)},
+      {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
+      {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
+      {"libgcv without capsules", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
+      {"libgcv without tree", Role::libgcv, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
+      {"libgcv without windows", Role::libgcv, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
+      {"libgcv without repeats", Role::libgcv, 1e8, libgcv_cold(GCV_NO_REPEATED_CHAINS_LIBRARY)},
+      {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2
-          {"Clipper2", Role::principal_peer, 3e5, on_29_bits(clipper2)},
+      {"Clipper2", Role::principal_peer, 3e5, on_29_bits(clipper2)},
 #endif
-          {"Clipper", Role::principal_peer, 3e5, on_29_bits(clipper)},
-          {"CGAL full convolution", Role::peer, 1e5, cgal_full_convolution},
-          {"CGAL decomposition", Role::peer, 2e6, cgal_decomposition},
-          {"GCVMSOF by arrangement", Role::peer, 2e6, gcv_arrangement},
-          {"RCMSOF by arrangement", Role::peer, 2e6, reduced_convolution_arrangement},
-          {"Boost.Polygon", Role::peer, 1e5, on_29_bits(boost_polygon)}};
+      {"Clipper", Role::principal_peer, 3e5, on_29_bits(clipper)},
+      {"CGAL full convolution", Role::peer, 1e5, cgal_full_convolution},
+      {"CGAL decomposition", Role::peer, 2e6, cgal_decomposition},
+      {"GCVMSOF by arrangement", Role::peer, 2e6, gcv_arrangement},
+      {"RCMSOF by arrangement", Role::peer, 2e6, reduced_convolution_arrangement},
+      {"Boost.Polygon", Role::peer, 1e5, on_29_bits(boost_polygon)}};
 }
 
 }  // namespace gcv::bench
