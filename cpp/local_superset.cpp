@@ -62,12 +62,8 @@ class LocalSuperset::Band {
   int looks_ = 0;
 };
 
-LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack, PairsMet* met)
-    : superset_(superset),
-      slack_(slack),
-      met_(met),
-      reach_(4 * superset.mean_edge_size()),
-      window_(nowhere) {}
+LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
+    : superset_(superset), slack_(slack), reach_(4 * superset.mean_edge_size()), window_(nowhere) {}
 
 void LocalSuperset::clear() {
   edges_.clear();
@@ -93,7 +89,7 @@ void LocalSuperset::add(const PairEdge& edge, const Box& wide) {
   }
 }
 
-bool LocalSuperset::gather(const Point& from, const Point& to) {
+bool LocalSuperset::gather(const Point& from, const Point& to, PairsMet* met) {
   clear();
   dx_ = to.x - from.x;
   dy_ = to.y - from.y;
@@ -115,7 +111,7 @@ bool LocalSuperset::gather(const Point& from, const Point& to) {
           superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
         }
       },
-      met_);
+      met);
   if (edges_.size() > too_many || band.is_exhausted()) {
     clear();
     reach_ *= 0.25;

@@ -17,7 +17,7 @@ namespace gcv {
 class LocalSuperset {
  public:
   // `slack`: at least twice what any relative coordinate of the sum is off by.
-  LocalSuperset(const ImplicitSuperset& superset, double slack, PairsMet* met);
+  LocalSuperset(const ImplicitSuperset& superset, double slack);
 
   // Is every superset edge that passes through the segment among the edges?
   [[nodiscard]] bool covers(const Point& from, const Point& to) const {
@@ -26,8 +26,8 @@ class LocalSuperset {
 
   // Collects the edges around a segment from `from` to `to`, which is shorter than reach().
   // False where they are too many: then the collection is empty, and the next one looks less
-  // far around.
-  bool gather(const Point& from, const Point& to);
+  // far around. `met`: as for ImplicitSuperset::search.
+  bool gather(const Point& from, const Point& to, PairsMet* met);
 
   // Calls visit(edge) for those of the edges that may touch the segment between `from` and `to`,
   // on the line through `origin` with direction (dx, dy).
@@ -69,7 +69,6 @@ class LocalSuperset {
 
   const ImplicitSuperset& superset_;
   double slack_;
-  PairsMet* met_;
   double reach_;
   Box window_;
   double dx_ = 0;  // the band lies right of the line of the offset `leftmost_`

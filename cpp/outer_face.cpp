@@ -122,7 +122,7 @@ class Walker {
       if (superset.implicit()->has_repeated_chains()) {
         met_.emplace();
       }
-      local_.emplace(*superset.implicit(), slack, met());
+      local_.emplace(*superset.implicit(), slack);
     }
   }
 
@@ -302,14 +302,15 @@ class Walker {
     return step;
   }
 
-  [[nodiscard]] PairsMet* met() { return met_ ? &*met_ : nullptr; }
+  [[nodiscard]] PairsMet* met() { return met_ && met_->is_of_use() ? &*met_ : nullptr; }
 
   // Considers the edges that have a point in the piece of s, if a window holds them: that of the
   // last steps, or else a new one. False where it is too long for that.
   bool search_window(const Line& s, const Place& place, const Point& from, const Point& to,
                      const Point& end, Step& step) {
     const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
-    if (!local_->covers(from, to) && !(length < local_->reach() && local_->gather(from, to))) {
+    if (!local_->covers(from, to) &&
+        !(length < local_->reach() && local_->gather(from, to, met()))) {
       return false;
     }
     local_->for_each_near(operands_.relative_start(s.edge), s.at.dx, s.at.dy, from, to,

@@ -48,40 +48,54 @@ class PairsMet {
   // Has it met these chains, or such others, whose starts have the same sum? From now on it has.
   bool meet(std::uint32_t a, std::uint32_t b, const SumPoint& start) {
     const auto [low, high] = std::minmax(a, b);  // of a polygon with itself, both are the same
-    const DoubledNumber x = doubled_sum(start.a.x, start.b.x);
-    const DoubledNumber y = doubled_sum(start.a.y, start.b.y);
-    Entry& entry = entries_[place(low, high, x.head, y.head)];
-    const bool met = entry.search == search_ && entry.low == low && entry.high == high &&
-                     entry.x == x.head && entry.x_tail == x.tail && entry.y == y.head &&
-                     entry.y_tail == y.tail;
-    if (!met) {
-      entry = {search_, low, high, x.head, x.tail, y.head, y.tail};
+    Entry& entry = entries_[place(low, high, start)];
+    const bool again = entry.search == search_ && entry.low == low && entry.high == high &&
+                       are_equal_sums(entry.start, start);
+    if (!again) {
+      entry = {search_, low, high, start};
     }
-    return met;
+    ++meetings_;
+    meetings_again_ += again ? 1 : 0;
+    return again;
+  }
+
+  // Do searches meet enough of them again?
+  [[nodiscard]] bool is_of_use() const {
+    return meetings_ < many || meetings_again_ >= meetings_ / 64;
   }
 
  private:
   static constexpr unsigned bits = 10;
+  static constexpr std::uint64_t many = 4096;
 
   struct Entry {
     std::uint64_t search = 0;
     std::uint32_t low = 0;
     std::uint32_t high = 0;
-    double x = 0;  // of the start
-    double x_tail = 0;
-    double y = 0;
-    double y_tail = 0;
+    SumPoint start{};
   };
 
-  static std::size_t place(std::uint32_t low, std::uint32_t high, double x, double y) {
+  static std::size_t place(std::uint32_t low, std::uint32_t high, const SumPoint& start) {
     constexpr std::uint64_t factor = 0x9e3779b97f4a7c15;
+    const double x = start.a.x + start.b.x + 0.0;
+    const double y = start.a.y + start.b.y + 0.0;
     std::uint64_t hash = (std::uint64_t{high} << 32U | low) * factor;
-    hash = (hash ^ hash >> 32U ^ std::bit_cast<std::uint64_t>(x + 0.0)) * factor;
-    hash = (hash ^ hash >> 32U ^ std::bit_cast<std::uint64_t>(y + 0.0)) * factor;
+    hash = (hash ^ hash >> 32U ^ std::bit_cast<std::uint64_t>(x)) * factor;
+    hash = (hash ^ hash >> 32U ^ std::bit_cast<std::uint64_t>(y)) * factor;
     return hash >> (64 - bits);
   }
 
+  static bool are_equal_sums(const SumPoint& p, const SumPoint& q) {
+    const auto are_equal = [](double a, double b, double c, double d) {
+      const double sum = a + b;
+      return sum == c + d && rounding_error(a, b, sum) == rounding_error(c, d, sum);
+    };
+    return are_equal(p.a.x, p.b.x, q.a.x, q.b.x) && are_equal(p.a.y, p.b.y, q.a.y, q.b.y);
+  }
+
   std::uint64_t search_ = 1;
+  std::uint64_t meetings_ = 0;
+  std::uint64_t meetings_again_ = 0;
   std::vector<Entry> entries_ = std::vector<Entry>(std::size_t{1} << bits);
 };
 

@@ -137,7 +137,10 @@ class SnapRounding {
 
   // Ends that touch are hot anyway.
   [[nodiscard]] bool cross(const Segment& s, const Segment& t) {
-    return orientation(s.low, s.high, t.low, tally_) * orientation(s.low, s.high, t.high, tally_) <
+    const bool share_an_end =
+        s.low == t.low || s.low == t.high || s.high == t.low || s.high == t.high;
+    return !share_an_end &&
+           orientation(s.low, s.high, t.low, tally_) * orientation(s.low, s.high, t.high, tally_) <
                0 &&
            orientation(t.low, t.high, s.low, tally_) * orientation(t.low, t.high, s.high, tally_) <
                0;
@@ -180,6 +183,9 @@ class SnapRounding {
 
   // Does the segment meet the closed pixel around h? Its corners are kept as sums.
   [[nodiscard]] bool passes(const Segment& s, const Point& h) {
+    if (s.low == h || s.high == h) {
+      return true;
+    }
     const Point half{unit_.x / 2, unit_.y / 2};
     const Box box = box_of(s.low, s.high);
     if (compare_sums(box.x0, 0, h.x, half.x, tally_) > 0 ||

@@ -6,9 +6,9 @@
 
 namespace gcv {
 
-LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack, PairsMet* met)
-    : superset_(superset), slack_(slack), met_(met), reach_(0), window_{0, 0, 0, 0} {}
+LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
+    : superset_(superset), slack_(slack), reach_(0), window_{0, 0, 0, 0} {}
 
-bool LocalSuperset::gather(const Point&, const Point&) { return false; }
+bool LocalSuperset::gather(const Point&, const Point&, PairsMet*) { return false; }
 
 }  // namespace gcv
