@@ -9,12 +9,15 @@
 #include <algorithm>
 #include <boost/multiprecision/gmp.hpp>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <tuple>
 #include <utility>
 
+#include "edge_sources.hpp"
 #include "generators.hpp"
 #include "implicit_superset.hpp"
+#include "minkowski_sum.hpp"
 
 namespace gcv {
 namespace {
@@ -189,6 +192,65 @@ TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
     }
     expect_right_numbers(ring, moved);
     expect_right_numbers(transposed(ring), transposed(moved));
+  }
+}
+
+// The first, by kind and indices, of the superset edges that pass through a vertex of the ring, or
+// start there, and end with its leaving edge, in its direction.
+PairEdge first_coinciding(const Operands& operands, const RingVertex& v) {
+  const SumEdge arriving = coordinates(operands.a, operands.b, v.arriving);
+  const auto line_side = [&](const SumPoint& p) {
+    Tally tally;
+    return side(arriving, p, tally);
+  };
+  const int ahead = line_side(operands.end(v.leaving));
+  const auto end = [&](const PairEdge& e) {
+    const EdgeInFractions fractions = in_fractions(operands, e);
+    return std::pair(std::get<2>(fractions), std::get<3>(fractions));
+  };
+  const auto key = [](const PairEdge& e) { return std::tuple(e.kind, e.i, e.j); };
+  PairEdge first = v.leaving;
+  const auto consider = [&](const PairEdge& e) {
+    if (e.rank == first.rank && key(e) < key(first) && end(e) == end(first) &&
+        line_side(operands.start(e)) != ahead) {
+      first = e;
+    }
+  };
+  for (Index i = 0; i < operands.a.size(); ++i) {
+    for (Index j = 0; j < operands.b.size(); ++j) {
+      if (operands.b_contributes(j, operands.directions.rank_a[i])) {
+        consider(operands.translated(i, j));
+      }
+      if (operands.a_contributes(i, operands.directions.rank_b[j])) {
+        consider(operands.corner(i, j));
+      }
+    }
+  }
+  return first;
+}
+
+TEST(RepeatedChains, SourcesAreTheFirstOfTheEdgesThatCoincide) {
+  Random random(86);
+  for (int k = 0; k < 6; ++k) {
+    const Ring ring_a = steps(random);
+    const Ring ring_b = k % 2 == 0 ? ring_a : steps(random);
+    const Operand a{std::make_shared<const Polygon>(make_polygon(ring_a, "a")), "a"};
+    const Operand b{std::make_shared<const Polygon>(make_polygon(ring_b, "b")), "b"};
+    Task task;
+    const ExactRing ring = minkowski_sum(a, b, {0, 0}, Rounding::nearest, task).exact;
+    ASSERT_TRUE(ring.chains_are_repeated);
+    const std::vector<EdgeSource> sources = edge_sources(ring);
+    Tally tally;
+    const Operands operands{*a.polygon, *b.polygon,
+                            merge_directions(*a.polygon, *b.polygon, tally)};
+    ASSERT_EQ(sources.size(), ring.size());
+    for (std::size_t v = 0; v < ring.size(); ++v) {
+      const EdgeSource expected = in_callers_numbers(
+          superset_source(operands, first_coinciding(operands, ring.vertices[v])), *a.polygon,
+          *b.polygon);
+      ASSERT_EQ(std::tuple(sources[v].kind, sources[v].a, sources[v].b),
+                std::tuple(expected.kind, expected.a, expected.b));
+    }
   }
 }
 
