@@ -232,7 +232,7 @@ PairEdge first_coinciding(const Operands& operands, const RingVertex& v) {
 TEST(RepeatedChains, SourcesAreTheFirstOfTheEdgesThatCoincide) {
   Random random(86);
   for (int k = 0; k < 9; ++k) {
-    const Ring ring_a = k % 3 == 0 ? test::random_spiky_star(random, 170) : steps(random);
+    const Ring ring_a = k % 3 == 0 ? test::random_spiky_star(random, 220) : steps(random);
     const Ring ring_b = k % 3 == 1 ? steps(random) : ring_a;
     const Operand a{std::make_shared<const Polygon>(make_polygon(ring_a, "a")), "a"};
     const Operand b{std::make_shared<const Polygon>(make_polygon(ring_b, "b")), "b"};
