@@ -128,7 +128,7 @@ TEST(RepeatedChains, OfSteps) {
 // Sums that differ from each other by less than a unit in the last place.
 TEST(RepeatedChains, WhereSumsAreNoDoubles) {
   Random random(83);
-  for (int k = 0; k < 10; ++k) {
+  for (int k = 0; k < 4; ++k) {
     const Ring a = steps(random);
     const Ring b = steps(random);
     expect_all_found(a, scaled(b, 0x1p-60));
@@ -231,7 +231,7 @@ PairEdge first_coinciding(const Operands& operands, const RingVertex& v) {
 
 TEST(RepeatedChains, SourcesAreTheFirstOfTheEdgesThatCoincide) {
   Random random(86);
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k < 6; ++k) {
     const Ring ring_a = k % 3 == 0 ? test::random_spiky_star(random, 220) : steps(random);
     const Ring ring_b = k % 3 == 1 ? steps(random) : ring_a;
     const Operand a{std::make_shared<const Polygon>(make_polygon(ring_a, "a")), "a"};
