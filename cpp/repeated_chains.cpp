@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <limits>
-#include <map>
 #include <optional>
+#include <unordered_map>
 
 namespace gcv {
 
@@ -21,6 +21,21 @@ using EdgeKey = std::array<std::uint64_t, 5>;
 
 // The numbers of the chains below a node; 0 stands for a missing one.
 using ChainKey = std::array<std::uint32_t, ChainTree::width>;
+
+struct Hash {
+  template <class Key>
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const auto part : key) {
+      hash = (hash ^ part) * 0x9e3779b97f4a7c15;
+      hash ^= hash >> 32U;
+    }
+    return hash;
+  }
+};
+
+template <class Key>
+using NumberOf = std::unordered_map<Key, std::uint32_t, Hash>;
 
 // Numbers the edges and the chains of both polygons.
 class Numbering {
@@ -52,7 +67,7 @@ class Numbering {
   static std::size_t at_most(std::size_t all) { return all - all / 4; }
 
   template <class Key>
-  std::uint32_t number(std::map<Key, std::uint32_t>& numbers, const Key& key) {
+  std::uint32_t number(NumberOf<Key>& numbers, const Key& key) {
     const auto [place, is_new] = numbers.try_emplace(key, last_ + 1);
     last_ += is_new ? 1 : 0;
     return place->second;
@@ -96,8 +111,8 @@ class Numbering {
   }
 
   const Operands& operands_;
-  std::map<EdgeKey, std::uint32_t> edge_numbers_;
-  std::map<ChainKey, std::uint32_t> chain_numbers_;
+  NumberOf<EdgeKey> edge_numbers_;
+  NumberOf<ChainKey> chain_numbers_;
   std::uint32_t last_ = 0;
 };
 

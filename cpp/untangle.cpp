@@ -95,14 +95,16 @@ class SnapRounding {
                     std::abs(grid.exponent() - std::ilogb(unit_.y)));
   }
 
-  [[nodiscard]] Point pixel_of(const Point& p) {
-    const Grid grid{p};
-    const int bits = grid.bits() + largest_shift(grid) + 3;
-    return with_integers(bits, tally_, [&]<class Integer>() {
-      const int exponent = grid.exponent();
-      return Point{centre(grid.integer<Integer>(p.x), Integer(1), exponent, unit_.x),
-                   centre(grid.integer<Integer>(p.y), Integer(1), exponent, unit_.y)};
-    });
+  // That of the coordinate x. The unit is a power of two: where the quotient is not exact, it
+  // underflows, and the pixel is that of 0. Adding 0 turns -0 into 0.
+  [[nodiscard]] static double centre(double x, double unit) {
+    const double place = x / unit;
+    const double below = std::floor(place);
+    return (place - below < 0.5 ? below : below + 1) * unit + 0.0;
+  }
+
+  [[nodiscard]] Point pixel_of(const Point& p) const {
+    return {centre(p.x, unit_.x), centre(p.y, unit_.y)};
   }
 
   [[nodiscard]] Point pixel_of_crossing(const Segment& s, const Segment& t) {
