@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <map>
-#include <set>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "area.hpp"
@@ -19,10 +19,6 @@
 namespace gcv {
 
 namespace {
-
-struct LexicographicOrder {
-  bool operator()(const Point& p, const Point& q) const { return lexicographically_less(p, q); }
-};
 
 // A segment, from its smaller end to the larger one.
 struct Segment {
@@ -121,20 +117,33 @@ class SnapRounding {
     });
   }
 
+  // A hot pixel, by its centre, and the first segment that makes it hot.
+  struct HotPixel {
+    Point centre;
+    std::size_t segment;
+  };
+
   void find_hot_pixels() {
     std::vector<Box> boxes;
-    for (const Segment& s : segments_) {
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      const Segment& s = segments_[i];
       boxes.push_back(box_of(s.low, s.high));
-      hot_.push_back(pixel_of(s.low));
-      hot_.push_back(pixel_of(s.high));
+      hot_.push_back({pixel_of(s.low), i});
+      hot_.push_back({pixel_of(s.high), i});
     }
     OverlappingPairs(boxes).visit_all([&](std::size_t i, std::size_t j) {
       if (cross(segments_[i], segments_[j])) {
-        hot_.push_back(pixel_of_crossing(segments_[i], segments_[j]));
+        hot_.push_back({pixel_of_crossing(segments_[i], segments_[j]), std::min(i, j)});
       }
     });
-    std::sort(hot_.begin(), hot_.end(), lexicographically_less);
-    hot_.erase(std::unique(hot_.begin(), hot_.end()), hot_.end());
+    std::sort(hot_.begin(), hot_.end(), [](const HotPixel& a, const HotPixel& b) {
+      return a.centre == b.centre ? a.segment < b.segment
+                                  : lexicographically_less(a.centre, b.centre);
+    });
+    hot_.erase(
+        std::unique(hot_.begin(), hot_.end(),
+                    [](const HotPixel& a, const HotPixel& b) { return a.centre == b.centre; }),
+        hot_.end());
   }
 
   // Ends that touch are hot anyway.
@@ -148,34 +157,34 @@ class SnapRounding {
                0;
   }
 
-  // Segments and pixels, in one tree: the pairs of one of each whose boxes overlap.
+  // Segments and pixels, in one tree, each pixel next to its segment: the pairs of one of each
+  // whose boxes overlap.
   void find_passages() {
     struct Item {
-      Point place;
-      std::size_t index;
-      bool is_pixel;
+      std::size_t segment;
+      const Point* pixel;  // none: the segment itself
     };
     std::vector<Item> items;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
-      items.push_back({segments_[i].low, i, false});
+      items.push_back({i, nullptr});
     }
-    for (std::size_t h = 0; h < hot_.size(); ++h) {
-      items.push_back({hot_[h], h, true});
+    for (const HotPixel& hot : hot_) {
+      items.push_back({hot.segment, &hot.centre});
     }
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b) {
-      return lexicographically_less(a.place, b.place);
-    });
+    std::stable_sort(items.begin(), items.end(),
+                     [](const Item& a, const Item& b) { return a.segment < b.segment; });
     std::vector<Box> boxes;
     for (const Item& item : items) {
-      const Point& p = item.place;
-      boxes.push_back(item.is_pixel
-                          ? Box{p.x - unit_.x, p.y - unit_.y, p.x + unit_.x, p.y + unit_.y}
-                          : box_of(segments_[item.index].low, segments_[item.index].high));
+      const Segment& s = segments_[item.segment];
+      boxes.push_back(item.pixel == nullptr
+                          ? box_of(s.low, s.high)
+                          : Box{item.pixel->x - unit_.x, item.pixel->y - unit_.y,
+                                item.pixel->x + unit_.x, item.pixel->y + unit_.y});
     }
     OverlappingPairs(boxes).visit_all([&](std::size_t k, std::size_t l) {
-      if (items[k].is_pixel != items[l].is_pixel) {
-        const std::size_t i = items[items[k].is_pixel ? l : k].index;
-        const Point& h = hot_[items[items[k].is_pixel ? k : l].index];
+      if ((items[k].pixel == nullptr) != (items[l].pixel == nullptr)) {
+        const std::size_t i = items[items[k].pixel == nullptr ? k : l].segment;
+        const Point& h = *items[items[k].pixel == nullptr ? l : k].pixel;
         if (passes(segments_[i], h)) {
           chains_[i].push_back(h);
         }
@@ -228,74 +237,120 @@ class SnapRounding {
 
   const std::vector<Segment>& segments_;
   Point unit_;  // the size of a pixel
-  std::vector<Point> hot_;
+  std::vector<HotPixel> hot_;
   std::vector<std::vector<Point>> chains_;
   Tally& tally_;
 };
 
-// The plane graph of segments that meet in their ends only.
-using Graph = std::map<Point, std::vector<Point>, LexicographicOrder>;
+// The plane graph of segments that meet in their ends only. Vertices are numbered in lexicographic
+// order.
+class PlaneGraph {
+ public:
+  PlaneGraph(const std::vector<Segment>& segments, Tally& tally) {
+    for (const Segment& s : segments) {
+      points_.push_back(s.low);
+      points_.push_back(s.high);
+    }
+    std::sort(points_.begin(), points_.end(), lexicographically_less);
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    std::vector<std::pair<std::size_t, std::size_t>> ends;
+    for (const Segment& s : segments) {
+      ends.emplace_back(number(s.low), number(s.high));
+    }
+    first_.resize(points_.size() + 1);
+    for (const auto& [low, high] : ends) {
+      ++first_[low + 1];
+      ++first_[high + 1];
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+    neighbours_.resize(first_.back());
+    std::vector<std::size_t> place(first_.begin(), first_.end() - 1);
+    for (const auto& [low, high] : ends) {
+      neighbours_[place[low]++] = high;
+      neighbours_[place[high]++] = low;
+    }
+    for (std::size_t p = 0; p < size(); ++p) {
+      sort_round(p, tally);
+    }
+  }
 
-Graph plane_graph(const std::vector<Segment>& segments, Tally& tally) {
-  Graph graph;
-  for (const Segment& s : segments) {
-    graph[s.low].push_back(s.high);
-    graph[s.high].push_back(s.low);
+  [[nodiscard]] std::size_t size() const { return points_.size(); }
+  [[nodiscard]] const Point& point(std::size_t p) const { return points_[p]; }
+  [[nodiscard]] std::size_t number(const Point& p) const {
+    return static_cast<std::size_t>(
+        std::lower_bound(points_.begin(), points_.end(), p, lexicographically_less) -
+        points_.begin());
   }
-  for (auto& [p, neighbours] : graph) {
-    const Point& centre = p;
-    // Counter-clockwise from the direction that points down.
-    std::sort(neighbours.begin(), neighbours.end(), [&](const Point& q, const Point& r) {
-      const bool q_is_left = lexicographically_less(q, centre);
-      const bool r_is_left = lexicographically_less(r, centre);
-      return q_is_left != r_is_left ? r_is_left : orientation(centre, q, r, tally) > 0;
-    });
+
+  // Counter-clockwise from the direction that points down.
+  [[nodiscard]] std::span<const std::size_t> neighbours(std::size_t p) const {
+    return {&neighbours_[first_[p]], first_[p + 1] - first_[p]};
   }
-  return graph;
-}
+
+ private:
+  void sort_round(std::size_t p, Tally& tally) {
+    const Point& centre = points_[p];
+    const auto begin = neighbours_.begin();
+    std::sort(begin + static_cast<std::ptrdiff_t>(first_[p]),
+              begin + static_cast<std::ptrdiff_t>(first_[p + 1]),
+              [&](std::size_t q, std::size_t r) {
+                return (q < p) != (r < p) ? r < p
+                                          : orientation(centre, points_[q], points_[r], tally) > 0;
+              });
+  }
+
+  std::vector<Point> points_;
+  std::vector<std::size_t> first_;  // place of the first neighbour of each vertex
+  std::vector<std::size_t> neighbours_;
+};
 
 // The walk round the unbounded face, counter-clockwise from the smallest vertex: in each
 // vertex the first edge counter-clockwise from the way back.
-std::vector<Point> outer_walk(const Graph& graph) {
-  std::vector<Point> walk;
-  const Point start = graph.begin()->first;
-  const Point second = graph.begin()->second.front();
-  Point from = start;
-  Point at = second;
+std::vector<std::size_t> outer_walk(const PlaneGraph& graph) {
+  std::vector<std::size_t> walk;
+  const std::size_t second = graph.neighbours(0).front();
+  std::size_t from = 0;
+  std::size_t at = second;
   do {
     walk.push_back(from);
-    const std::vector<Point>& neighbours = graph.at(at);
-    auto next = std::find(neighbours.begin(), neighbours.end(), from) + 1;
+    const std::span<const std::size_t> neighbours = graph.neighbours(at);
+    const auto next = std::find(neighbours.begin(), neighbours.end(), from) + 1;
     from = at;
     at = next == neighbours.end() ? neighbours.front() : *next;
-  } while (!(from == start && at == second));
+  } while (from != 0 || at != second);
   return walk;
 }
 
 // Of the simple cycles that a closed walk consists of, the one with the largest area.
-std::vector<Point> largest_cycle(const std::vector<Point>& walk) {
-  std::vector<Point> largest;
+std::vector<std::size_t> largest_cycle(const PlaneGraph& graph,
+                                       const std::vector<std::size_t>& walk) {
+  constexpr auto nowhere = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> largest;
   double largest_area = 0;
-  std::vector<Point> path;
-  std::map<Point, std::size_t, LexicographicOrder> place_in_path;
+  std::vector<std::size_t> path;
+  std::vector<std::size_t> place_in_path(graph.size(), nowhere);
+  std::vector<Point> ring;
   const auto close_at = [&](std::size_t place) {
-    const std::vector<Point> cycle(path.begin() + static_cast<std::ptrdiff_t>(place), path.end());
-    const double area = cycle.size() < 3 ? 0 : ring_area(cycle);
+    ring.clear();
+    for (std::size_t k = place; k < path.size(); ++k) {
+      ring.push_back(graph.point(path[k]));
+    }
+    const double area = ring.size() < 3 ? 0 : ring_area(ring);
     if (area > largest_area) {
       largest_area = area;
-      largest = cycle;
+      largest.assign(path.begin() + static_cast<std::ptrdiff_t>(place), path.end());
     }
     for (std::size_t k = place + 1; k < path.size(); ++k) {
-      place_in_path.erase(path[k]);
+      place_in_path[path[k]] = nowhere;
     }
     path.resize(place + 1);
   };
-  for (const Point& p : walk) {
-    const auto [place, is_new] = place_in_path.try_emplace(p, path.size());
-    if (is_new) {
+  for (const std::size_t p : walk) {
+    if (place_in_path[p] == nowhere) {
+      place_in_path[p] = path.size();
       path.push_back(p);
     } else {
-      close_at(place->second);
+      close_at(place_in_path[p]);
     }
   }
   close_at(0);
@@ -305,32 +360,32 @@ std::vector<Point> largest_cycle(const std::vector<Point>& walk) {
 // At least the distance of the graph from the ring, which is part of it. The graph is
 // connected: from each vertex of it a way leads to one of the ring, its anchor; and no
 // point of a segment is further from the anchor of one end than both ends are.
-double distance_left_out(const Graph& graph, const std::vector<Point>& ring) {
-  std::map<Point, Point, LexicographicOrder> anchors;
-  std::vector<Point> queue = ring;
-  for (const Point& p : ring) {
-    anchors.emplace(p, p);
+double distance_left_out(const PlaneGraph& graph, const std::vector<std::size_t>& ring) {
+  constexpr auto none = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> anchor(graph.size(), none);
+  std::vector<std::size_t> after(graph.size(), none);  // of a vertex of the ring, the next one
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    anchor[ring[k]] = ring[k];
+    after[ring[k]] = ring[k + 1 == ring.size() ? 0 : k + 1];
   }
-  double distance = 0;
+  std::vector<std::size_t> queue = ring;
   for (std::size_t k = 0; k < queue.size(); ++k) {
-    const Point p = queue[k];
-    const Point anchor = anchors.at(p);
-    for (const Point& q : graph.at(p)) {
-      if (anchors.emplace(q, anchor).second) {
+    for (const std::size_t q : graph.neighbours(queue[k])) {
+      if (anchor[q] == none) {
+        anchor[q] = anchor[queue[k]];
         queue.push_back(q);
       }
     }
   }
-  std::set<Segment> edges;
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    edges.insert(segment(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]));
-  }
-  for (const auto& [p, neighbours] : graph) {
-    const Point& anchor = anchors.at(p);
-    for (const Point& q : neighbours) {
-      if (!edges.contains(segment(p, q))) {
-        distance = std::max({distance, length_bound(p.x - anchor.x, p.y - anchor.y),
-                             length_bound(q.x - anchor.x, q.y - anchor.y)});
+  double distance = 0;
+  for (std::size_t p = 0; p < graph.size(); ++p) {
+    const Point& origin = graph.point(anchor[p]);
+    const auto length = [&](std::size_t q) {
+      return length_bound(graph.point(q).x - origin.x, graph.point(q).y - origin.y);
+    };
+    for (const std::size_t q : graph.neighbours(p)) {
+      if (after[p] != q && after[q] != p) {
+        distance = std::max({distance, length(p), length(q)});
       }
     }
   }
@@ -354,14 +409,17 @@ std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally&
   if (pieces.empty()) {
     return std::nullopt;
   }
-  const Graph graph = plane_graph(pieces, tally);
-  UntangledRing result{largest_cycle(outer_walk(graph)), 0};
+  const PlaneGraph graph(pieces, tally);
+  const std::vector<std::size_t> ring = largest_cycle(graph, outer_walk(graph));
+  UntangledRing result;
+  for (const std::size_t p : ring) {
+    result.vertices.push_back(graph.point(p));
+  }
   if (result.vertices.empty() || find_conflict(result.vertices)) {
     return std::nullopt;
   }
   // No point of a segment is further than a pixel's diagonal from its chain.
-  result.error_bound =
-      sum_bound(length_bound(unit.x, unit.y), distance_left_out(graph, result.vertices));
+  result.error_bound = sum_bound(length_bound(unit.x, unit.y), distance_left_out(graph, ring));
   return result;
 }
 
