@@ -17,13 +17,17 @@
 
 namespace gcv {
 
-// A superset edge before merging: edge i of A + vertex j of B, or vertex i of A + edge j
-// of B. It starts at the sum of the vertices i and j.
-struct PairEdge {
+// What a superset edge before merging is made of: edge i of A + vertex j of B, or vertex i of A +
+// edge j of B. It starts at the sum of the vertices i and j.
+struct EdgeName {
   enum Kind : std::uint32_t { translated = 1, corner = 2 };
   Kind kind;
   Index i;
   Index j;
+};
+
+// Such an edge.
+struct PairEdge : EdgeName {
   Rank rank;  // of its direction
 };
 
@@ -43,17 +47,21 @@ struct Operands {
   Directions directions;
 
   [[nodiscard]] PairEdge translated(Index i, Index j) const {
-    return {PairEdge::translated, i, j, directions.rank_a[i]};
+    return {{PairEdge::translated, i, j}, directions.rank_a[i]};
   }
   [[nodiscard]] PairEdge corner(Index i, Index j) const {
-    return {PairEdge::corner, i, j, directions.rank_b[j]};
+    return {{PairEdge::corner, i, j}, directions.rank_b[j]};
   }
 
-  [[nodiscard]] SumPoint start(const PairEdge& e) const {
+  [[nodiscard]] PairEdge named(const EdgeName& e) const {
+    return e.kind == EdgeName::translated ? translated(e.i, e.j) : corner(e.i, e.j);
+  }
+
+  [[nodiscard]] SumPoint start(const EdgeName& e) const {
     return {a.vertices[e.i], b.vertices[e.j]};
   }
-  [[nodiscard]] SumPoint end(const PairEdge& e) const {
-    return e.kind == PairEdge::translated ? SumPoint{a.vertices[a.next(e.i)], b.vertices[e.j]}
+  [[nodiscard]] SumPoint end(const EdgeName& e) const {
+    return e.kind == EdgeName::translated ? SumPoint{a.vertices[a.next(e.i)], b.vertices[e.j]}
                                           : SumPoint{a.vertices[e.i], b.vertices[b.next(e.j)]};
   }
 
@@ -63,9 +71,9 @@ struct Operands {
     const Point q = b.relative(j);
     return {p.x + q.x, p.y + q.y};
   }
-  [[nodiscard]] Point relative_start(const PairEdge& e) const { return relative(e.i, e.j); }
-  [[nodiscard]] Point relative_end(const PairEdge& e) const {
-    return e.kind == PairEdge::translated ? relative(a.next(e.i), e.j) : relative(e.i, b.next(e.j));
+  [[nodiscard]] Point relative_start(const EdgeName& e) const { return relative(e.i, e.j); }
+  [[nodiscard]] Point relative_end(const EdgeName& e) const {
+    return e.kind == EdgeName::translated ? relative(a.next(e.i), e.j) : relative(e.i, b.next(e.j));
   }
 
   // Does vertex j of B contribute to edges of A of that rank, or vertex i of A to B's?
@@ -102,8 +110,8 @@ struct Operands {
 };
 
 // The edge with its start and its direction in coordinates.
-inline SumEdge coordinates(const Polygon& a, const Polygon& b, const PairEdge& e) {
-  const bool translated = e.kind == PairEdge::translated;
+inline SumEdge coordinates(const Polygon& a, const Polygon& b, const EdgeName& e) {
+  const bool translated = e.kind == EdgeName::translated;
   const Point& from = translated ? a.vertices[e.i] : b.vertices[e.j];
   const Point& to = translated ? a.vertices[a.next(e.i)] : b.vertices[b.next(e.j)];
   return {{a.vertices[e.i], b.vertices[e.j]}, from, to, to.x - from.x, to.y - from.y};

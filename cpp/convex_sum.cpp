@@ -15,7 +15,7 @@ Walk merge_convex(const Operands& operands) {
   Index left_of_a = a.size();
   Index left_of_b = b.size();
   Walk walk;
-  PairEdge arriving{};
+  EdgeName arriving{};
   walk.vertices.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
     const PairEdge translated = operands.translated(i, j);

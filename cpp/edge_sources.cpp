@@ -19,22 +19,22 @@ class CoincidingEdges {
 
   // Of the superset edges that pass through v, or start there, and end with its leaving edge, in
   // its direction, the first by kind and indices.
-  PairEdge first(const RingVertex& v) {
-    const PairEdge& leaving = v.leaving;
+  EdgeName first(const RingVertex& v) {
+    const PairEdge leaving = operands_.named(v.leaving);
+    const PairEdge arriving = operands_.named(v.arriving);
     const SumEdge s = coordinates(operands_.a, operands_.b, leaving);
-    const SumEdge arriving = coordinates(operands_.a, operands_.b, v.arriving);
+    const SumEdge line = coordinates(operands_.a, operands_.b, arriving);
     const Directions& directions = operands_.directions;
-    const int away =
-        directions.angle(v.arriving.rank, leaving.rank) < directions.half_turn ? 1 : -1;
+    const int away = directions.angle(arriving.rank, leaving.rank) < directions.half_turn ? 1 : -1;
     const SumPoint end = operands_.end(leaving);
     const Point place = operands_.relative_end(leaving);
     Piece piece(s, operands_.relative_start(leaving), place, place, slack_);
-    const auto key = [](const PairEdge& e) { return std::tuple(e.kind, e.i, e.j); };
-    PairEdge first = leaving;
+    const auto key = [](const EdgeName& e) { return std::tuple(e.kind, e.i, e.j); };
+    EdgeName first = leaving;
     superset_.search(piece, [&](Index i, Index j) {
       superset_.for_each_edge(i, j, [&](const PairEdge& e) {
         if (e.rank == leaving.rank && key(e) < key(first) && are_equal(operands_.end(e), end) &&
-            side(arriving, operands_.start(e), tally_) != away) {
+            side(line, operands_.start(e), tally_) != away) {
           first = e;
         }
       });
@@ -70,7 +70,7 @@ std::vector<EdgeSource> edge_sources(const ExactRing& ring) {
   const Operands operands{a, b, merge_directions(a, b, tally)};
   std::vector<EdgeSource> sources;
   sources.reserve(ring.size());
-  const auto add = [&](const PairEdge& e) {
+  const auto add = [&](const EdgeName& e) {
     sources.push_back(in_callers_numbers(superset_source(operands, e), a, b));
   };
   if (ring.chains_are_repeated) {

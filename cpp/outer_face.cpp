@@ -74,7 +74,7 @@ double clamp_to_unit(double parameter) { return std::min(std::max(parameter, 0.0
 // A walk from one vertex of the hull to the next, and the edge that it arrived by.
 struct Arc {
   Walk walk;
-  PairEdge last;
+  EdgeName last;
   Tally tally;
 };
 
@@ -497,7 +497,7 @@ class Walker {
 
 // The ring of the arcs.
 Walk join(std::vector<Arc> arcs, Tally& tally) {
-  const PairEdge* arriving = &arcs.back().last;
+  const EdgeName* arriving = &arcs.back().last;
   std::size_t size = 0;
   for (Arc& arc : arcs) {
     arc.walk.vertices.front().arriving = *arriving;

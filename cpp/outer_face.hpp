@@ -19,8 +19,8 @@ struct RingVertex {
   bool is_sum;
   Index i;
   Index j;
-  PairEdge arriving;  // of collinear superset edges in a row, the last
-  PairEdge leaving;   // the first of them
+  EdgeName arriving;  // of collinear superset edges in a row, the last
+  EdgeName leaving;   // the first of them
 };
 
 // The outer face as the walk found it: counter-clockwise, from the lexicographically

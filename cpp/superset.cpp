@@ -30,9 +30,9 @@ struct ParallelPair {
   Index j;
 };
 
-ParallelPair parallel_pair(const Operands& operands, const PairEdge& e) {
+ParallelPair parallel_pair(const Operands& operands, const EdgeName& e) {
   const Directions& directions = operands.directions;
-  if (e.kind == PairEdge::translated) {
+  if (e.kind == EdgeName::translated) {
     const Index before = operands.b.previous(e.j);
     const Rank rank = directions.rank_a[e.i];
     if (directions.rank_b[e.j] == rank) {
@@ -85,12 +85,12 @@ SupersetEdge translated_corner_edge(const Operands& operands, Index i, Index j, 
 
 }  // namespace
 
-EdgeSource superset_source(const Operands& operands, const PairEdge& e) {
+EdgeSource superset_source(const Operands& operands, const EdgeName& e) {
   const ParallelPair pair = parallel_pair(operands, e);
   if (pair.exists && operands.merge(pair.i, pair.j) != Merge::none) {
     return {EdgeKind::translated_corner, pair.i, pair.j};
   }
-  return {e.kind == PairEdge::translated ? EdgeKind::translated : EdgeKind::corner, e.i, e.j};
+  return {e.kind == EdgeName::translated ? EdgeKind::translated : EdgeKind::corner, e.i, e.j};
 }
 
 std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
@@ -99,7 +99,7 @@ std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
   const Directions& directions = operands.directions;
   std::vector<SupersetEdge> edges;
   // A merged pair is met once for each translated or corner edge that it absorbs.
-  const auto add = [&](const PairEdge& e) {
+  const auto add = [&](const EdgeName& e) {
     const EdgeSource source = superset_source(operands, e);
     if (source.kind == EdgeKind::translated_corner) {
       edges.push_back(

@@ -32,6 +32,6 @@ struct SupersetEdge {
 std::vector<SupersetEdge> enumerate_superset(const Operands& operands);
 
 // The superset edge that the translated or corner edge e belongs to.
-EdgeSource superset_source(const Operands& operands, const PairEdge& e);
+EdgeSource superset_source(const Operands& operands, const EdgeName& e);
 
 }  // namespace gcv

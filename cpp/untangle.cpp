@@ -254,6 +254,7 @@ class PlaneGraph {
     std::sort(points_.begin(), points_.end(), lexicographically_less);
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
     std::vector<std::pair<std::size_t, std::size_t>> ends;
+    ends.reserve(segments.size());
     for (const Segment& s : segments) {
       ends.emplace_back(number(s.low), number(s.high));
     }

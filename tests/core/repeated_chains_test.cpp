@@ -209,7 +209,7 @@ PairEdge first_coinciding(const Operands& operands, const RingVertex& v) {
     return std::pair(std::get<2>(fractions), std::get<3>(fractions));
   };
   const auto key = [](const PairEdge& e) { return std::tuple(e.kind, e.i, e.j); };
-  PairEdge first = v.leaving;
+  PairEdge first = operands.named(v.leaving);
   const auto consider = [&](const PairEdge& e) {
     if (e.rank == first.rank && key(e) < key(first) && end(e) == end(first) &&
         line_side(operands.start(e)) != ahead) {
