@@ -467,14 +467,16 @@ typedef struct gcv_edge_source {
 
 /**
  * The source of every edge of the exact ring: element i is for the edge from exact
- * vertex i to i+1. Where several superset edges overlap on the ring, one of them.
+ * vertex i to i+1. Where several superset edges overlap on the ring, one of them, always
+ * the same.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
  * @param required  the number of edges.
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
- * Exactness: exact. Cost: O(n), with the vertices of both polygons in n; found anew by
- * each call. Threads: any. @since 0.1
+ * Exactness: exact. Cost: O(n), with the vertices of both polygons in n, and a search for
+ * each edge where chains of edges are repeated in both; found anew by each call.
+ * Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_face *face,
                                                              gcv_edge_source *out, size_t capacity,
