@@ -62,6 +62,12 @@ std::string described(const Ring& ring) {
          ", \"reflex\": " + std::to_string(reflex) + "}";
 }
 
+std::string milliseconds(double seconds) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.6g", 1000 * seconds);
+  return text;
+}
+
 // All measurements of one system on one pair.
 struct Series {
   Measurement last;
@@ -83,17 +89,20 @@ struct Series {
     if (!last.failure.empty()) {
       return "{\"failure\": " + quoted(last.failure) + "}";
     }
+    std::string rounds;
+    for (const double s : seconds) {
+      rounds += (rounds.empty() ? "" : ", ") + milliseconds(s);
+    }
     std::vector<double> sorted = seconds;
     std::sort(sorted.begin(), sorted.end());
     char text[400];
     std::snprintf(text, sizeof text,
-                  "{\"ms\": %.6g, \"rounds\": %zu, \"vertices\": %zu, \"exact_vertices\": %zu, "
-                  "\"area\": %.12g, \"peak_bytes\": %zu, \"superset_edges\": %zu, "
-                  "\"superset_ms\": %.6g}",
-                  1000 * sorted[sorted.size() / 2], sorted.size(), last.vertices,
-                  last.observation.exact_vertices, last.area, last.peak_bytes,
+                  "\"vertices\": %zu, \"exact_vertices\": %zu, \"area\": %.12g, "
+                  "\"peak_bytes\": %zu, \"superset_edges\": %zu, \"superset_ms\": %.6g}",
+                  last.vertices, last.observation.exact_vertices, last.area, last.peak_bytes,
                   last.observation.superset_edges, 1000 * last.observation.superset_seconds);
-    return text;
+    return "{\"ms\": " + milliseconds(sorted[sorted.size() / 2]) + ", \"rounds_ms\": [" + rounds +
+           "], " + text;
   }
 };
 

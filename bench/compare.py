@@ -73,8 +73,21 @@ def at_least(row: Row, system: str, limit: float) -> Optional[float]:
     return milliseconds(row, system)
 
 
+def rounds_of(row: Row, system: str) -> list[float]:
+    """Return what the system took in each round."""
+    return list(row["results"].get(system, {}).get("rounds_ms", []))
+
+
+def quotient(times: list[float], others: list[float]) -> Optional[float]:
+    """Return the median of the quotients of the rounds: in one, the machine is as fast for both."""
+    quotients = [x / y for x, y in zip(times, others)]
+    return statistics.median(quotients) if quotients else None
+
+
 def ratio(row: Row, peer: str, limit: float, own: str = OWN) -> Optional[float]:
     """Return how many times longer the peer took: a lower bound where it was cut off."""
+    if milliseconds(row, peer) is not None:
+        return quotient(rounds_of(row, peer), rounds_of(row, own))
     peer_ms = at_least(row, peer, limit)
     own_ms = milliseconds(row, own)
     return None if peer_ms is None or own_ms is None else peer_ms / own_ms
@@ -131,19 +144,20 @@ class Bar:
 
 
 def bars_of_growth(coasts: dict[str, Row]) -> list[Bar]:
-    def per_vertex(name: str) -> Optional[float]:
-        result = coasts.get(name, {}).get("results", {}).get(OWN, {})
-        return result["ms"] / result["vertices"] if "ms" in result else None
+    def per_vertex(name: str) -> list[float]:
+        row = coasts.get(name)
+        if row is None:
+            return []
+        return [ms / row["results"][OWN]["vertices"] for ms in rounds_of(row, OWN)]
 
-    small, large = per_vertex("1000 x 1000"), per_vertex("1000000 x 1000000")
+    growth = quotient(per_vertex("1000000 x 1000000"), per_vertex("1000 x 1000"))
     memory = None
     largest = coasts.get("1000000 x 1000000")
     if largest is not None and "peak_bytes" in largest["results"][OWN]:
         vertices = largest["a"]["vertices"] + largest["b"]["vertices"]
         memory = largest["results"][OWN]["peak_bytes"] / vertices
     return [
-        Bar("coasts: time per output vertex, 10^6 against 10^3",
-            large / small if small and large else None, 3, False),
+        Bar("coasts: time per output vertex, 10^6 against 10^3", growth, 3, False),
         Bar("coasts: peak bytes per input vertex at 10^6", memory, 400, False),
     ]  # fmt: skip
 
@@ -180,7 +194,6 @@ def bars(rows: list[Row], limit: float) -> list[Bar]:
     ]  # fmt: skip
     hostile = sets.get("hostile", {})
     coast = hostile.get("coasts 10000 x 10000")
-    unit = None if coast is None else milliseconds(coast, OWN)
     for pair, bound in [
         ("comb of 250 teeth, with itself", 0.2),
         ("comb of 2500 teeth, turned", 2),
@@ -190,8 +203,7 @@ def bars(rows: list[Row], limit: float) -> list[Bar]:
         ("regular 10000-gons", 0.05),
     ]:
         shape = hostile.get(pair)
-        ms = None if shape is None else at_least(shape, OWN, limit)
-        value = ms / unit if ms is not None and unit is not None else None
+        value = quotient(rounds_of(shape, OWN), rounds_of(coast, OWN)) if shape and coast else None
         result.append(Bar(f"{pair}, in times of the coasts 10000 x 10000", value, bound, False))
     return result
 

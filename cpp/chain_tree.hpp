@@ -44,7 +44,8 @@ struct ChainTree {
   // The first of the edges below a node.
   [[nodiscard]] std::uint32_t first_edge(const Node& node) const {
     static_assert(width == 4);
-    return node.index << 2 * (static_cast<std::uint32_t>(first_block.size()) - node.depth);
+    const auto levels = static_cast<std::uint32_t>(first_block.size()) - node.depth;
+    return static_cast<std::uint32_t>(std::uint64_t{node.index} << 2 * levels);
   }
   static Node child(const Node& node, std::uint32_t lane) {
     return {node.depth + 1, width * node.index + lane};
