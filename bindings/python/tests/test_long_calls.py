@@ -17,15 +17,17 @@ from shapes import SQUARE, scaled, star
 
 import gcv
 
-LARGE = star(6000, 1)
+LARGE = star(12000, 1)
+OTHER = star(12000, 2)
 MANY = [LARGE] * 20
+OTHERS = [OTHER] * 20
 CALLS: list[Callable[[], object]] = [
-    lambda: LARGE + LARGE,
-    lambda: gcv.minkowski_sum(LARGE, LARGE, threads=2),
-    lambda: gcv.no_fit_polygon(LARGE, LARGE, (0, 0)),
-    lambda: gcv.entrance_block(LARGE, LARGE, (0, 0)),
-    lambda: gcv.minkowski_sum_many(MANY, MANY),
-    lambda: gcv.minkowski_sum_many(MANY, MANY, threads=2),
+    lambda: LARGE + OTHER,
+    lambda: gcv.minkowski_sum(LARGE, OTHER, threads=2),
+    lambda: gcv.no_fit_polygon(LARGE, OTHER, (0, 0)),
+    lambda: gcv.entrance_block(LARGE, OTHER, (0, 0)),
+    lambda: gcv.minkowski_sum_many(MANY, OTHERS),
+    lambda: gcv.minkowski_sum_many(MANY, OTHERS, threads=2),
 ]
 
 
@@ -52,11 +54,11 @@ def test_keyboard_interrupt_cancels(call: Callable[[], object]) -> None:
 
 def test_interruption_does_not_wait_for_the_sums() -> None:
     start = time.perf_counter()
-    LARGE + LARGE
+    LARGE + OTHER
     one = time.perf_counter() - start
     start = time.perf_counter()
     with interrupted():
-        gcv.minkowski_sum_many(MANY, MANY)
+        gcv.minkowski_sum_many(MANY, OTHERS)
     assert time.perf_counter() - start < len(MANY) / 3 * one
 
 
@@ -68,7 +70,7 @@ def test_other_signals_cancel_too() -> None:
     signal.setitimer(signal.ITIMER_REAL, 0.05)
     try:
         with pytest.raises(TimeIsUpError):
-            gcv.minkowski_sum_many(MANY, MANY)
+            gcv.minkowski_sum_many(MANY, OTHERS)
     finally:
         signal.signal(signal.SIGALRM, before)
 
@@ -81,8 +83,8 @@ def test_progress() -> None:
         assert threading.get_ident() == thread
         reports.append((done, estimate))
 
-    plain = LARGE + LARGE
-    assert gcv.minkowski_sum(LARGE, LARGE, progress=progress) == plain
+    plain = LARGE + OTHER
+    assert gcv.minkowski_sum(LARGE, OTHER, progress=progress) == plain
     assert len(reports) > 1
     steps = [done for done, _ in reports]
     assert steps == sorted(steps)
@@ -98,7 +100,7 @@ def test_progress_of_another_thread() -> None:
     threads = set()
 
     def work() -> None:
-        gcv.minkowski_sum(LARGE, LARGE, progress=lambda *_: threads.add(threading.get_ident()))
+        gcv.minkowski_sum(LARGE, OTHER, progress=lambda *_: threads.add(threading.get_ident()))
 
     worker = threading.Thread(target=work)
     worker.start()
@@ -111,7 +113,7 @@ def test_progress_that_raises_cancels() -> None:
         raise TimeIsUpError
 
     with pytest.raises(TimeIsUpError):
-        gcv.minkowski_sum_many(MANY, MANY, progress=progress)
+        gcv.minkowski_sum_many(MANY, OTHERS, progress=progress)
     assert threading.active_count() == 1
 
 
