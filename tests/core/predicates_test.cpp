@@ -125,6 +125,38 @@ TEST_F(Predicates, CrossingsAreExactAndEnclosed) {
   EXPECT_GT(narrow, attacks / 10);
 }
 
+// Crossings of the x axis at quotients of Fibonacci numbers in a row, whose fractions are doubles:
+// the nearest ones are 2^-105 apart.
+TEST_F(Predicates, CrossingsAtNeighbouringFractions) {
+  const SumEdge axis{{{0, 0}, {0, 0}}, {0, 0}, {1, 0}, 1, 0};
+  // From (0, -1), or to it.
+  const auto through = [](double numerator, double denominator, bool upwards) {
+    const Point low{0, -1};
+    const Point high{numerator, denominator - 1};
+    const Point& from = upwards ? low : high;
+    const Point& to = upwards ? high : low;
+    return SumEdge{{from, {0, 0}}, from, to, to.x - from.x, to.y - from.y};
+  };
+  double last = 1;
+  double here = 1;
+  while (here + last < 0x1p53) {
+    const double next = here + last;
+    for (const bool first_is_upwards : {true, false}) {
+      for (const bool second_is_upwards : {true, false}) {
+        const SumEdge t = through(last, here, first_is_upwards);
+        const SumEdge r = through(here, next, second_is_upwards);
+        const int order =
+            Rational(rational(last) * rational(next) - rational(here) * rational(here)).sign();
+        ASSERT_EQ(compare_crossings(axis, t, r, tally_), order);
+        ASSERT_EQ(compare_crossings(axis, r, t, tally_), -order);
+        ASSERT_EQ(compare_crossings(axis, t, t, tally_), 0);
+      }
+    }
+    last = here;
+    here = next;
+  }
+}
+
 TEST_F(Predicates, AllTiersAreUsed) {
   for (int k = 0; k < attacks; ++k) {
     Attack attack(random_);
