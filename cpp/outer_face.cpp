@@ -24,6 +24,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -120,7 +121,7 @@ class Walker {
         task_(task) {
     if (superset.implicit()) {
       if (superset.implicit()->has_repeated_chains()) {
-        met_.emplace();
+        met_ = std::make_unique<PairsMet>();
       }
       local_.emplace(*superset.implicit(), slack);
     }
@@ -302,7 +303,7 @@ class Walker {
     return step;
   }
 
-  [[nodiscard]] PairsMet* met() { return met_ && met_->is_of_use() ? &*met_ : nullptr; }
+  [[nodiscard]] PairsMet* met() { return met_ && met_->is_of_use() ? met_.get() : nullptr; }
 
   // Considers the edges that have a point in the piece of s, if a window holds them: that of the
   // last steps, or else a new one. False where it is too long for that.
@@ -487,7 +488,7 @@ class Walker {
   const Directions& directions_;
   const Superset& superset_;
   double slack_;
-  std::optional<PairsMet> met_;                              // where chains are repeated
+  std::unique_ptr<PairsMet> met_;                            // where chains are repeated
   std::optional<LocalSuperset> local_;                       // where there is no tree
   double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
   Task& task_;
