@@ -43,6 +43,21 @@ inline DoubledNumber operator+(const DoubledNumber& p, const DoubledNumber& q) {
   return {head, (error + p.tail) + q.tail, p.size + q.size, p.is_double() && q.is_double()};
 }
 
+struct DoubledVector {
+  DoubledNumber x;
+  DoubledNumber y;
+};
+
+// The way from one point to another.
+inline DoubledVector doubled_vector(const Point& from, const Point& to) {
+  return {doubled_sum(to.x, -from.x), doubled_sum(to.y, -from.y)};
+}
+inline DoubledVector doubled_vector(const SumPoint& from, const SumPoint& to) {
+  const DoubledVector a = doubled_vector(from.a, to.a);
+  const DoubledVector b = doubled_vector(from.b, to.b);
+  return {a.x + b.x, a.y + b.y};
+}
+
 // Is the rounded product exact, given what it was rounded by?
 inline bool is_exact_product(double x, double y, double product, double error) {
   return error == 0 && (std::abs(product) >= 0x1p-900 || x == 0 || y == 0);
@@ -56,15 +71,16 @@ struct DoubledCross {
   double error;
 };
 
-// v x w, v being a direction, from doubled_sum, and w a sum of two such numbers at most.
+// v x w, v being the way between two points, and w that, or the way between two sums.
 //
 // With s = |vx| my + |vy| mx, m the sizes of w: what is left out of a product, tail times tail
 // and the error of w, is below 9u^2 of its share of s, and the roundings of the other two terms
 // with tails below 9u^2. The tails that are added up are below 10u s together, so that
 // their roundings are below 40u^2 s; 128u^2 is more than all. The products are so far from
 // underflow that fused multiply-add gives their errors, up to an absolute error far below.
-inline DoubledCross doubled_cross(const DoubledNumber& vx, const DoubledNumber& vy,
-                                  const DoubledNumber& wx, const DoubledNumber& wy) {
+inline DoubledCross doubled_cross(const DoubledVector& v, const DoubledVector& w) {
+  const auto& [vx, vy] = v;
+  const auto& [wx, wy] = w;
   const double size = vx.size * wy.size + vy.size * wx.size;
   const double left = vx.head * wy.head;
   const double right = vy.head * wx.head;
@@ -105,15 +121,9 @@ struct DoubledParameter {
 // is a double; what is added to it, the tails of N and of lambda D, and the remainder itself are
 // below 3u |N| each, their roundings and those of the second quotient below 32u^2 |lambda|.
 inline DoubledParameter doubled_parameter(const SumEdge& s, const SumEdge& t) {
-  const DoubledNumber tx = doubled_sum(t.to.x, -t.from.x);
-  const DoubledNumber ty = doubled_sum(t.to.y, -t.from.y);
-  const SumPoint& from = s.origin;
-  const SumPoint& to = t.origin;
-  const DoubledCross n =
-      doubled_cross(tx, ty, doubled_sum(to.a.x, -from.a.x) + doubled_sum(to.b.x, -from.b.x),
-                    doubled_sum(to.a.y, -from.a.y) + doubled_sum(to.b.y, -from.b.y));
-  const DoubledCross d =
-      doubled_cross(tx, ty, doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y));
+  const DoubledVector direction = doubled_vector(t.from, t.to);
+  const DoubledCross n = doubled_cross(direction, doubled_vector(s.origin, t.origin));
+  const DoubledCross d = doubled_cross(direction, doubled_vector(s.from, s.to));
   const double head = n.head / d.head;
   const double tail = ((std::fma(-head, d.head, n.head) + n.tail) - head * d.tail) / d.head;
   const double size = std::abs(head);

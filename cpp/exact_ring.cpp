@@ -46,15 +46,9 @@ std::string fraction(Integer n, Integer w, int exponent) {
 // below 4u of what they belong to, together below 8u of both terms, and their roundings and what is
 // left out, tail times tail, below 64u^2 of those. The smallest normal double covers underflow.
 std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const SumEdge& t) {
-  const DoubledNumber dx = doubled_sum(line.to.x, -line.from.x);
-  const DoubledNumber dy = doubled_sum(line.to.y, -line.from.y);
-  const SumPoint& from = line.origin;
-  const SumPoint& to = s.origin;
-  const DoubledCross offset =
-      doubled_cross(dx, dy, doubled_sum(to.a.x, -from.a.x) + doubled_sum(to.b.x, -from.b.x),
-                    doubled_sum(to.a.y, -from.a.y) + doubled_sum(to.b.y, -from.b.y));
-  const DoubledCross along =
-      doubled_cross(dx, dy, doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y));
+  const DoubledVector direction = doubled_vector(line.from, line.to);
+  const DoubledCross offset = doubled_cross(direction, doubled_vector(line.origin, s.origin));
+  const DoubledCross along = doubled_cross(direction, doubled_vector(s.from, s.to));
   const DoubledParameter lambda = doubled_parameter(s, t);
   const double way = lambda.head * along.head;
   const double way_tail = std::fma(lambda.head, along.head, -way) +

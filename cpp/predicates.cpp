@@ -86,15 +86,14 @@ std::optional<int> compare_products(double a, double b, double c, double d) {
 //
 // On grids of few bits, where most ties are, all are doubles. Most other ties are those of a
 // polygon with itself.
-std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy,
-                                const DoubledNumber& wx, const DoubledNumber& wy) {
-  if (vx.is_double() && vy.is_double() && wx.is_double() && wy.is_double()) {
-    return compare_products(vx.head, wy.head, vy.head, wx.head);
+std::optional<int> doubled_sign(const DoubledVector& v, const DoubledVector& w) {
+  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
+    return compare_products(v.x.head, w.y.head, v.y.head, w.x.head);
   }
-  if (are_equal(vx, wx) && are_equal(vy, wy)) {
+  if (are_equal(v.x, w.x) && are_equal(v.y, w.y)) {
     return 0;
   }
-  const DoubledCross cross = doubled_cross(vx, vy, wx, wy);
+  const DoubledCross cross = doubled_cross(v, w);
   return std::abs(cross.head) > cross.error ? std::optional(sign_of(cross.head)) : std::nullopt;
 }
 
@@ -102,8 +101,7 @@ std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy
 // its own work.
 [[gnu::noinline]] int undecided_turn(const Point& p0, const Point& p1, const Point& q0,
                                      const Point& q1, Tally& tally) {
-  if (const auto sign = doubled_sign(doubled_sum(p1.x, -p0.x), doubled_sum(p1.y, -p0.y),
-                                     doubled_sum(q1.x, -q0.x), doubled_sum(q1.y, -q0.y))) {
+  if (const auto sign = doubled_sign(doubled_vector(p0, p1), doubled_vector(q0, q1))) {
     ++tally.fixed_width;
     return *sign;
   }
@@ -111,11 +109,8 @@ std::optional<int> doubled_sign(const DoubledNumber& vx, const DoubledNumber& vy
 }
 
 [[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
-  const SumPoint& o = s.origin;
   if (const auto sign =
-          doubled_sign(doubled_sum(s.to.x, -s.from.x), doubled_sum(s.to.y, -s.from.y),
-                       doubled_sum(point.a.x, -o.a.x) + doubled_sum(point.b.x, -o.b.x),
-                       doubled_sum(point.a.y, -o.a.y) + doubled_sum(point.b.y, -o.b.y))) {
+          doubled_sign(doubled_vector(s.from, s.to), doubled_vector(s.origin, point))) {
     ++tally.fixed_width;
     return *sign;
   }
