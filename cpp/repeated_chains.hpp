@@ -6,6 +6,7 @@
 // made from both pairs coincide, and a search needs to meet only one of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -33,7 +34,7 @@ struct RepeatedChains {
   [[nodiscard]] bool exist() const { return !a.empty(); }
 };
 
-// O((n + m) log(n + m)); O(1) where the directions of the edges tell that few are repeated.
+// O(n + m); O(1) where the directions of the edges tell that few are repeated.
 RepeatedChains find_repeated_chains(const Operands& operands);
 
 // Do the directions of the edges allow that repeated chains prevail? O(1).
