@@ -19,11 +19,11 @@
 namespace gcv {
 
 struct ChainTree {
-  static constexpr std::uint32_t width = Lanes::width;
+  static constexpr std::uint32_t width = DoubleLanes::width;
   static constexpr std::size_t most_depths = 16;  // of fewer than 2^32 edges
 
   // The boxes of the children of one node. Those that are missing hold no point.
-  using Block = BoxBlock<Lanes, Box>;
+  using Block = BoxBlock<DoubleLanes, Box>;
 
   // Node k of depth d has the children 4 k to 4 k + 3 of depth d + 1. The root, which holds
   // all edges, is node 0 of depth 0; the nodes of the last depth are the edges.

@@ -43,9 +43,11 @@ class LocalSuperset::Band {
       return;
     }
     const CapsuleBlock& capsules = block.capsules;
-    const Lanes from = dx_ * Lanes::load(capsules.y0) - dy_ * Lanes::load(capsules.x0);
-    const Lanes to = dx_ * Lanes::load(capsules.y1) - dy_ * Lanes::load(capsules.x1);
-    const Lanes lowest = smaller(from, to) - length_ * Lanes::load(capsules.radius);
+    const DoubleLanes from =
+        dx_ * DoubleLanes::load(capsules.y0) - dy_ * DoubleLanes::load(capsules.x0);
+    const DoubleLanes to =
+        dx_ * DoubleLanes::load(capsules.y1) - dy_ * DoubleLanes::load(capsules.x1);
+    const DoubleLanes lowest = smaller(from, to) - length_ * DoubleLanes::load(capsules.radius);
     lowest.store(look.lowest);
     lowest.store(look.highest);  // which no band asks for
     look.lanes = block.boxes.overlapping({box_.x0 - other.box.x1, box_.y0 - other.box.y1,

@@ -43,12 +43,19 @@ namespace gcv {
 
 namespace {
 
-// A point on a superset edge: the sum of the vertices i and j, or else the crossing with
-// `crossing`, whose parameter on the edge is enclosed by `parameter`.
-struct Place {
-  bool is_sum;
+// The sum of two vertices.
+struct VertexSum {
   Index i;
   Index j;
+
+  friend bool operator==(const VertexSum&, const VertexSum&) = default;
+};
+
+// A point on a superset edge: the sum of two vertices, or else the crossing with `crossing`, whose
+// parameter on the edge is enclosed by `parameter`.
+struct Place {
+  bool is_sum;
+  VertexSum sum;
   PairEdge crossing;
   Interval parameter;
 };
@@ -64,12 +71,6 @@ struct Event {
   Place place;
 };
 
-// How a walk along an edge goes on: at the first event, else at its end.
-struct Step {
-  std::optional<Event> event;
-  std::optional<Line> onwards;
-};
-
 double clamp_to_unit(double parameter) { return std::min(std::max(parameter, 0.0), 1.0); }
 
 // A walk from one vertex of the hull to the next, and the edge that it arrived by.
@@ -79,20 +80,22 @@ struct Arc {
   Tally tally;
 };
 
-// The superset in one of two forms: all of it in a tree where it is small, or else implicit. Where
-// repeated chains prevail, a small one holds too many edges that coincide.
+// The superset in one of two forms: all of it in a tree where it is small, or else implicit. So it
+// is, too, where edges are too short for the grid of the tree, or repeated chains prevail, so that
+// too many edges coincide.
 class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
     const RankedEdges ranked(operands.directions);
     const std::uint64_t size = count_superset(operands, ranked);
-    const bool is_small = size <= SupersetTree::most_edges;
+    const CoarseGrid grid(operands);
+    const bool is_small = size <= SupersetTree::most_edges && grid.is_fine_enough(operands);
     RepeatedChains chains;
     if (!is_small || chains_can_prevail(operands)) {
       chains = find_repeated_chains(operands);
     }
     if (is_small && !chains.prevail) {
-      tree_.emplace(operands, ranked, size);
+      tree_.emplace(operands, grid, ranked, size);
     } else {
       implicit_.emplace(operands, std::move(chains));
     }
@@ -131,44 +134,53 @@ class Walker {
   Arc run(const HullVertex& first, const HullVertex& last) {
     const std::size_t guess = std::min<std::size_t>(operands_.a.size() + operands_.b.size(), 4096);
     walk_.vertices.reserve(guess);
-    Place place = sum_place(first.i, first.j);
-    Line line = line_of(first_edge(first.i, first.j));
-    append(place, line, line);
+    set_out(line_of(first_edge(first.i, first.j)), at_sum({first.i, first.j}));
+    EdgeName arriving = line_.edge;
+    bool turns = true;
     while (true) {
+      if (turns) {
+        walk_.vertices.push_back({place_.is_sum, place_.sum.i, place_.sum.j, arriving, line_.edge});
+      }
       count_step();
-      const Step step = next_step(line, place);
+      find_step();
       Line next;
-      if (step.event) {
-        place = step.event->place;
-        next = step.event->line;
+      Place place;
+      if (event_) {
+        next = event_->line;
+        place = event_->place;
       } else {
-        place = end_of(line.edge);
-        if (place.i == last.i && place.j == last.j) {
+        place = at_sum(end_sum_);
+        if (end_sum_ == VertexSum{last.i, last.j}) {
           break;
         }
-        if (!step.onwards) {
+        if (!onwards_) {
           throw Error(Status::internal,
                       "no superset edge leads on from vertex %u of a + vertex %u of b",
-                      operands_.a.vertex_number[place.i], operands_.b.vertex_number[place.j]);
+                      operands_.a.vertex_number[end_sum_.i], operands_.b.vertex_number[end_sum_.j]);
         }
-        next = *step.onwards;
+        next = line_of(*onwards_);
       }
       if (!place.is_sum) {  // from now on, seen from the next edge
-        place.crossing = line.edge;
-        place.parameter = crossing_parameter(next.at, line.at);
+        place.crossing = line_.edge;
+        place.parameter = crossing_parameter(next.at, line_.at);
       }
-      if (next.edge.rank != line.edge.rank) {
-        append(place, line, next);
-      }
-      line = next;
+      arriving = line_.edge;
+      turns = next.edge.rank != line_.edge.rank;
+      set_out(next, place);
     }
     task_.advance(walk_.steps % Task::portion);
-    return {std::move(walk_), line.edge, tally_};
+    return {std::move(walk_), line_.edge, tally_};
   }
 
  private:
-  void append(const Place& place, const Line& arriving, const Line& leaving) {
-    walk_.vertices.push_back({place.is_sum, place.i, place.j, arriving.edge, leaving.edge});
+  // Goes on along an edge, from a place on it.
+  void set_out(const Line& line, const Place& place) {
+    line_ = line;
+    place_ = place;
+    end_sum_ = end_of(line.edge);
+    end_ = relative_on(line_, 1);
+    event_.reset();
+    onwards_.reset();
   }
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
@@ -188,26 +200,28 @@ class Walker {
     return {e, coordinates(operands_.a, operands_.b, e)};
   }
 
-  static Place sum_place(Index i, Index j) { return {true, i, j, {}, {}}; }
+  static Place at_sum(const VertexSum& sum) { return {true, sum, {}, {}}; }
 
-  [[nodiscard]] Place end_of(const PairEdge& e) const {
-    return e.kind == PairEdge::translated ? sum_place(operands_.a.next(e.i), e.j)
-                                          : sum_place(e.i, operands_.b.next(e.j));
+  [[nodiscard]] VertexSum end_of(const PairEdge& e) const {
+    return e.kind == PairEdge::translated ? VertexSum{operands_.a.next(e.i), e.j}
+                                          : VertexSum{e.i, operands_.b.next(e.j)};
   }
 
-  [[nodiscard]] SumPoint point(Index i, Index j) const {
-    return {operands_.a.vertices[i], operands_.b.vertices[j]};
+  [[nodiscard]] SumPoint point(const VertexSum& sum) const {
+    return {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
   }
 
-  // On which side of the line lies the sum of the vertices i and j? Where it is an end of
-  // the edge, the indices say so.
-  int side_of_sum(const Line& line, Index i, Index j) {
-    const Place end = end_of(line.edge);
-    if ((i == line.edge.i && j == line.edge.j) || (i == end.i && j == end.j)) {
+  // On which side of the line lies the sum of two vertices? Where it is an end of the edge, the
+  // indices say so.
+  int side_of_sum(const Line& line, const VertexSum& line_end, const VertexSum& sum) {
+    if (sum == VertexSum{line.edge.i, line.edge.j} || sum == line_end) {
       ++tally_.filtered;
       return 0;
     }
-    return side(line.at, point(i, j), tally_);
+    return side(line.at, point(sum), tally_);
+  }
+  int side_of_sum(const Line& line, const VertexSum& sum) {
+    return side_of_sum(line, end_of(line.edge), sum);
   }
 
   // The sign of the way from p to q along the edge, for points on its line.
@@ -245,242 +259,221 @@ class Walker {
     return {origin.x + parameter * s.at.dx, origin.y + parameter * s.at.dy};
   }
 
-  // A place on s in relative coordinates, not beyond its exact position.
-  [[nodiscard]] Point relative_position(const Line& s, const Place& place) const {
-    return place.is_sum ? operands_.relative(place.i, place.j)
-                        : relative_on(s, clamp_to_unit(place.parameter.lo));
+  // The place on s in relative coordinates, not beyond its exact position.
+  [[nodiscard]] Point relative_position() const {
+    return place_.is_sum ? operands_.relative(place_.sum.i, place_.sum.j)
+                         : relative_on(line_, clamp_to_unit(place_.parameter.lo));
   }
 
-  // How the boundary leaves s, beyond `place`.
-  Step next_step(const Line& s, const Place& place) {
-    const Point from = relative_position(s, place);
-    const Point end = relative_on(s, 1);
-    if (superset_.tree()) {
-      Step step;
-      SupersetTree::Piece piece(*superset_.tree(), s.at, operands_.relative_start(s.edge), from,
-                                end);
-      search(s, place, 1, end, step, piece,
-             [&](const auto& visit) { superset_.tree()->search(piece, visit); });
-      return step;
+  // How the boundary leaves s, beyond the place.
+  void find_step() {
+    const Point from = relative_position();
+    if (!superset_.tree()) {
+      find_step_by_pieces(from);
+      return;
     }
-    return next_step_by_pieces(s, place, from, end);
+    SupersetTree::Piece piece(*superset_.tree(), line_.at, operands_.relative_start(line_.edge),
+                              from, end_);
+    search(1, piece, [&](const auto& visit) { superset_.tree()->search(piece, visit); });
   }
 
   // The same where the superset is implicit. The whole of s is searched where few steps fit into a
   // window; else its first piece is about as long as the last of such searches went, and each other
   // one four times as long as the one before.
-  Step next_step_by_pieces(const Line& s, const Place& place, Point from, const Point& end) {
-    const Point origin = operands_.relative_start(s.edge);
-    Step step;
-    if (search_window(s, place, from, end, end, step)) {
-      return step;
+  void find_step_by_pieces(Point from) {
+    if (search_window(from, end_)) {
+      return;
     }
+    const Point origin = operands_.relative_start(line_.edge);
     const ImplicitSuperset& implicit = *superset_.implicit();
-    const double start = parameter_on(s, origin, from);
-    const double size = std::max(std::abs(s.at.dx), std::abs(s.at.dy));
+    const double start = parameter_of(origin, from);
+    const double size = std::max(std::abs(line_.at.dx), std::abs(line_.at.dy));
     double parameter = start;
     double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
     while (true) {
-      const double limit = step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1;
+      const double limit = event_ ? clamp_to_unit(event_->place.parameter.hi) : 1;
       const bool is_last = !(parameter + stride < limit);
       parameter = is_last ? limit : parameter + stride;
-      const Point to = parameter < 1 ? relative_on(s, parameter) : end;
-      if (!search_window(s, place, from, to, end, step)) {
-        Piece piece(s.at, origin, from, to, slack_);
-        search(s, place, parameter, end, step, piece, [&](const auto& visit) {
+      const Point to = parameter < 1 ? relative_on(line_, parameter) : end_;
+      if (!search_window(from, to)) {
+        Piece piece(line_.at, origin, from, to, slack_);
+        search(parameter, piece, [&](const auto& visit) {
           implicit.search(
               piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); }, met());
         });
       }
-      if (is_last || (step.event && step.event->place.parameter.hi <= parameter)) {
+      if (is_last || (event_ && event_->place.parameter.hi <= parameter)) {
         break;
       }
-      from = relative_on(s, parameter);
+      from = relative_on(line_, parameter);
       stride *= 4;
     }
-    const double way = (step.event ? clamp_to_unit(step.event->place.parameter.hi) : 1) - start;
+    const double way = (event_ ? clamp_to_unit(event_->place.parameter.hi) : 1) - start;
     stride_ = std::min(2 * way * size, 4 * stride_);
-    return step;
   }
 
   [[nodiscard]] PairsMet* met() { return met_ && met_->is_of_use() ? met_.get() : nullptr; }
 
   // Considers the edges that have a point in the piece of s, if a window holds them: that of the
   // last steps, or else a new one. False where it is too long for that.
-  bool search_window(const Line& s, const Place& place, const Point& from, const Point& to,
-                     const Point& end, Step& step) {
+  bool search_window(const Point& from, const Point& to) {
     const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
     if (!local_->covers(from, to) &&
         !(length < local_->reach() && local_->gather(from, to, met()))) {
       return false;
     }
-    local_->for_each_near(operands_.relative_start(s.edge), s.at.dx, s.at.dy, from, to,
-                          [&](const PairEdge& e) { consider(s, place, end, e, step); });
+    local_->for_each_near(operands_.relative_start(line_.edge), line_.at.dx, line_.at.dy, from, to,
+                          [&](const PairEdge& e) { consider(e); });
     return true;
   }
 
   // Considers the edges that have a point in the piece of s up to the parameter: in_superset(visit)
   // calls visit(edge) for them. The piece ends with the first event.
   template <class Piece, class InSuperset>
-  void search(const Line& s, const Place& place, double parameter, const Point& end, Step& step,
-              Piece& piece, InSuperset in_superset) {
+  void search(double parameter, Piece& piece, InSuperset in_superset) {
     in_superset([&](const PairEdge& e) {
-      if (consider(s, place, end, e, step) && step.event->place.parameter.hi < parameter) {
-        piece.shorten(relative_on(s, clamp_to_unit(step.event->place.parameter.hi)));
+      if (consider(e) && event_->place.parameter.hi < parameter) {
+        piece.shorten(relative_on(line_, clamp_to_unit(event_->place.parameter.hi)));
       }
     });
   }
 
   // Does the boundary leave s along e, of all edges so far? True where e is the first event.
-  bool consider(const Line& s, const Place& place, const Point& end, const PairEdge& e,
-                Step& step) {
-    const Rank angle = directions_.angle(s.edge.rank, e.rank);
+  bool consider(const PairEdge& e) {
+    const Rank angle = directions_.angle(line_.edge.rank, e.rank);
     if (angle > directions_.half_turn) {
-      return consider_event(s, place, e, step.event);
+      return consider_event(e);
     }
-    if (angle < directions_.half_turn && !step.event && !ends_with(s.edge, e) &&
-        comes_near(e, end)) {
-      consider_onwards(s, e, step.onwards);
+    if (angle < directions_.half_turn && !event_ && !(end_of(e) == end_sum_) && comes_near_end(e)) {
+      consider_onwards(e);
     }
     return false;
   }
 
   // The parameter on s of a point of s, about.
-  [[nodiscard]] static double parameter_on(const Line& s, const Point& origin, const Point& p) {
-    const bool by_x = std::abs(s.at.dx) >= std::abs(s.at.dy);
-    return clamp_to_unit(by_x ? (p.x - origin.x) / s.at.dx : (p.y - origin.y) / s.at.dy);
+  [[nodiscard]] double parameter_of(const Point& origin, const Point& p) const {
+    const SumEdge& s = line_.at;
+    const bool by_x = std::abs(s.dx) >= std::abs(s.dy);
+    return clamp_to_unit(by_x ? (p.x - origin.x) / s.dx : (p.y - origin.y) / s.dy);
   }
 
-  // The first point on s, beyond `place`, in which an edge leaves to the right (fact 3),
+  // The first point on s, beyond the place, in which an edge leaves to the right (fact 3),
   // and the most clockwise of those that do: is it e?
-  bool consider_event(const Line& s, const Place& place, const PairEdge& e,
-                      std::optional<Event>& best) {
+  bool consider_event(const PairEdge& e) {
     ++walk_.candidates;
-    const Place end = end_of(e);
-    if (side_of_sum(s, end.i, end.j) >= 0) {
+    if (side_of_sum(line_, end_sum_, end_of(e)) >= 0) {
       return false;
     }
-    const int start_side = side_of_sum(s, e.i, e.j);
+    const VertexSum start{e.i, e.j};
+    const int start_side = side_of_sum(line_, end_sum_, start);
     if (start_side < 0) {
       return false;
     }
     const Line t = line_of(e);
-    Event event{t, {start_side == 0, e.i, e.j, e, crossing_parameter(s.at, t.at)}};
-    if (!is_ahead(s, place, event) || !precedes(s, event, best)) {
+    Event event{t, {start_side == 0, start, e, crossing_parameter(line_.at, t.at)}};
+    if (!is_ahead(event) || !precedes(event)) {
       return false;
     }
-    best = event;
+    event_ = event;
     return true;
   }
 
   // The most clockwise of the edges that pass through the end of s, or start there, and
   // go straight on or left (fact 4); of those in one direction, the one that reaches
   // furthest: is it e?
-  void consider_onwards(const Line& s, const PairEdge& e, std::optional<Line>& best) {
+  void consider_onwards(const PairEdge& e) {
     ++walk_.candidates;
-    const Rank rank = s.edge.rank;
-    const auto angle = [&](const Line& t) { return directions_.angle(rank, t.edge.rank); };
-    const Line t = line_of(e);
-    if (best) {
-      const Rank left = angle(t);
-      const Rank best_left = angle(*best);
-      if (left > best_left || (left == best_left && !preferred(t, *best))) {
+    if (onwards_) {
+      const Rank left = directions_.angle(line_.edge.rank, e.rank);
+      const Rank best_left = directions_.angle(line_.edge.rank, onwards_->rank);
+      if (left > best_left || (left == best_left && !preferred(line_of(e), line_of(*onwards_)))) {
         return;
       }
     }
-    if (leaves(t, end_of(s.edge))) {
-      best = t;
+    if (starts_in(e, end_sum_) || passes_through(line_of(e), end_sum_)) {
+      onwards_ = e;
     }
   }
 
-  // Do both edges end in the same sum of vertices?
-  [[nodiscard]] bool ends_with(const PairEdge& s, const PairEdge& e) const {
-    const Place p = end_of(s);
-    const Place q = end_of(e);
-    return p.i == q.i && p.j == q.j;
-  }
-
-  // Can the edge pass through p?
-  [[nodiscard]] bool comes_near(const PairEdge& e, const Point& p) const {
+  // Can the edge pass through the end of s?
+  [[nodiscard]] bool comes_near_end(const PairEdge& e) const {
     const Box box = box_of(operands_.relative_start(e), operands_.relative_end(e));
-    return !(p.x < box.x0 - slack_ || p.x > box.x1 + slack_ || p.y < box.y0 - slack_ ||
-             p.y > box.y1 + slack_);
+    return !(end_.x < box.x0 - slack_ || end_.x > box.x1 + slack_ || end_.y < box.y0 - slack_ ||
+             end_.y > box.y1 + slack_);
   }
 
   // Is the event strictly beyond the place on s? An event edge t goes from left to right,
   // so a point p of s before the event lies on the right of t. The edge that crosses s in
   // the place goes from right to left: s leaves it to the right.
-  bool is_ahead(const Line& s, const Place& place, const Event& event) {
-    if (place.is_sum) {
-      return side_of_sum(event.line, place.i, place.j) < 0;
+  bool is_ahead(const Event& event) {
+    if (place_.is_sum) {
+      return side_of_sum(event.line, place_.sum) < 0;
     }
-    const Line r = line_of(place.crossing);
+    const Line r = line_of(place_.crossing);
     if (event.place.is_sum) {
-      return side_of_sum(r, event.place.i, event.place.j) < 0;
+      return side_of_sum(r, event.place.sum) < 0;
     }
-    return compare_parameters(s, event.place.parameter, event.line, place.parameter, r) > 0;
+    return compare_parameters(event.place.parameter, event.line, place_.parameter, r) > 0;
   }
 
-  int compare_parameters(const Line& s, const Interval& pt, const Line& t, const Interval& pr,
-                         const Line& r) {
+  int compare_parameters(const Interval& pt, const Line& t, const Interval& pr, const Line& r) {
     if (pt.hi < pr.lo || pt.lo > pr.hi) {
       ++tally_.filtered;
       return pt.hi < pr.lo ? -1 : 1;
     }
-    return compare_crossings(s.at, t.at, r.at, tally_);
+    return compare_crossings(line_.at, t.at, r.at, tally_);
   }
 
   // Does the event come before the best one so far, or, in the same point, is it more
   // clockwise or longer? Without a best one: does it come before the end of s, or there?
   // In a tie the event takes a place that is known as a sum of two vertices.
-  bool precedes(const Line& s, Event& event, std::optional<Event>& best) {
-    if (!best) {
-      const Place end = end_of(s.edge);
-      const int order = side_of_sum(event.line, end.i, end.j);
+  bool precedes(Event& event) {
+    if (!event_) {
+      const int order = side_of_sum(event.line, end_sum_);
       if (order == 0 && !event.place.is_sum) {
-        take_sum(event.place, end);
+        take_sum(event.place, end_sum_);
       }
       return order >= 0;
     }
-    const int order = compare_events(s, event, *best);
+    const int order = compare_to_best(event);
     if (order != 0) {
       return order < 0;
     }
     if (event.place.is_sum) {
-      take_sum(best->place, event.place);
-    } else if (best->place.is_sum) {
-      take_sum(event.place, best->place);
+      take_sum(event_->place, event.place.sum);
+    } else if (event_->place.is_sum) {
+      take_sum(event.place, event_->place.sum);
     }
-    const Rank rank = s.edge.rank;
+    const Rank rank = line_.edge.rank;
     const Rank angle = directions_.angle(rank, event.line.edge.rank);
-    const Rank best_angle = directions_.angle(rank, best->line.edge.rank);
-    return angle < best_angle || (angle == best_angle && preferred(event.line, best->line));
+    const Rank best_angle = directions_.angle(rank, event_->line.edge.rank);
+    return angle < best_angle || (angle == best_angle && preferred(event.line, event_->line));
   }
 
-  static void take_sum(Place& place, const Place& sum) {
+  static void take_sum(Place& place, const VertexSum& sum) {
     place.is_sum = true;
-    place.i = sum.i;
-    place.j = sum.j;
+    place.sum = sum;
   }
 
-  int compare_events(const Line& s, const Event& event, const Event& best) {
-    if (best.place.is_sum) {
-      return -side_of_sum(event.line, best.place.i, best.place.j);
+  int compare_to_best(const Event& event) {
+    const Place& best = event_->place;
+    if (best.is_sum) {
+      return -side_of_sum(event.line, best.sum);
     }
     if (event.place.is_sum) {
-      return side_of_sum(best.line, event.place.i, event.place.j);
+      return side_of_sum(event_->line, event.place.sum);
     }
-    return compare_parameters(s, event.place.parameter, event.line, best.place.parameter,
-                              best.line);
+    return compare_parameters(event.place.parameter, event.line, best.parameter, event_->line);
   }
 
-  // Does t pass through the sum of two vertices, or start there?
-  bool leaves(const Line& t, const Place& sum) {
-    if (t.edge.i == sum.i && t.edge.j == sum.j) {
-      return true;
-    }
-    const SumPoint q = point(sum.i, sum.j);
-    return side_of_sum(t, sum.i, sum.j) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
+  [[nodiscard]] static bool starts_in(const PairEdge& e, const VertexSum& sum) {
+    return sum == VertexSum{e.i, e.j};
+  }
+
+  // Does t hold the sum of two vertices, its end excepted?
+  bool passes_through(const Line& t, const VertexSum& sum) {
+    const SumPoint q = point(sum);
+    return side_of_sum(t, sum) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
            compare_along(t.at, q, operands_.end(t.edge)) > 0;
   }
 
@@ -494,6 +487,15 @@ class Walker {
   Task& task_;
   Tally tally_;
   Walk walk_;
+
+  // The edge that the walk is on, s, and the place that it has come to.
+  Line line_;
+  Place place_;
+  VertexSum end_sum_;  // the end of s
+  Point end_;          // the same in relative coordinates
+  // How the walk goes on, of the edges so far: at the first event, else at the end of s.
+  std::optional<Event> event_;
+  std::optional<PairEdge> onwards_;
 };
 
 // The ring of the arcs.

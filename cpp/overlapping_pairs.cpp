@@ -2,26 +2,77 @@
 #include "overlapping_pairs.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gcv {
 
 namespace {
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+Box hull_of(const Box& p, const Box& q) {
+  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
+}
 
 }  // namespace
 
-OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1U) {
-  build(boxes.size(), [&](std::size_t k) { return boxes[k]; });
+// The numbers of the tree for coordinates within some bounds.
+template <class Lanes>
+class OverlappingPairsIn<Lanes>::Frame {
+ public:
+  struct Place {
+    typename Lanes::Number x;
+    typename Lanes::Number y;
+  };
+
+  explicit Frame(const Box& bounds)
+      : bounds_(bounds),
+        scale_(scale_to_one(std::max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0))) {}
+
+  [[nodiscard]] Place place(double x, double y) const {
+    if (scale_ == 0) {  // the extents overflow
+      return {Lanes::between(0), Lanes::between(0)};
+    }
+    return {Lanes::between((x - bounds_.x0) * scale_), Lanes::between((y - bounds_.y0) * scale_)};
+  }
+
+ private:
+  Box bounds_;
+  double scale_;
+};
+
+template <class Lanes>
+OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Box> boxes) : after_first_(~1U) {
+  Box bounds = boxes[0];
+  for (const Box& box : boxes) {
+    bounds = hull_of(bounds, box);
+  }
+  const Frame frame(bounds);
+  build(boxes.size(), [&](std::size_t k) {
+    const auto low = frame.place(boxes[k].x0, boxes[k].y0);
+    const auto high = frame.place(boxes[k].x1, boxes[k].y1);
+    return NodeBox{low.x, low.y, high.x, high.y};
+  });
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
-  build(ring.size(),
-        [&](std::size_t k) { return box_of(ring[k], ring[k + 1 == ring.size() ? 0 : k + 1]); });
+template <class Lanes>
+OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Point> ring) : after_first_(~3U) {
+  Box bounds = box_of(ring[0], ring[0]);
+  for (const Point& p : ring) {
+    bounds = hull_of(bounds, box_of(p, p));
+  }
+  const Frame frame(bounds);
+  auto to = frame.place(ring[0].x, ring[0].y);
+  build(ring.size(), [&](std::size_t k) {
+    const auto from = to;
+    const Point& next = ring[k + 1 == ring.size() ? 0 : k + 1];
+    to = frame.place(next.x, next.y);
+    return NodeBox{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
+                   std::max(from.y, to.y)};
+  });
 }
 
+template <class Lanes>
 template <class BoxOf>
-void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
+void OverlappingPairsIn<Lanes>::build(std::size_t boxes, BoxOf box_of) {
   boxes_ = static_cast<std::uint32_t>(boxes);
   first_block_[0] = 0;
   std::uint32_t count = boxes_;
@@ -32,34 +83,22 @@ void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
   } while (count > 1);
   blocks_.resize(first_block_[levels_]);
 
-  Box bounds = box_of(0);
-  for (std::size_t k = 1; k < boxes; ++k) {
-    const Box box = box_of(k);
-    bounds = {std::min(bounds.x0, box.x0), std::min(bounds.y0, box.y0), std::max(bounds.x1, box.x1),
-              std::max(bounds.y1, box.y1)};
-  }
-  const double scale = scale_to_one(std::max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0));
-  const auto place = [&](double x, double origin) {
-    return static_cast<float>((x - origin) * scale);
-  };
+  constexpr NodeBox nothing{Lanes::highest, Lanes::highest, Lanes::lowest, Lanes::lowest};
   for (std::uint32_t k = 0; k < boxes_; ++k) {
-    const Box box = box_of(k);
-    blocks_[k / width].put(
-        k % width, scale == 0 ? FloatBox{-infinity, -infinity, infinity, infinity}
-                              : FloatBox{place(box.x0, bounds.x0), place(box.y0, bounds.y0),
-                                         place(box.x1, bounds.x0), place(box.y1, bounds.y0)});
+    put(0, k, box_of(k));
+  }
+  for (std::uint32_t k = boxes_; k % width != 0; ++k) {
+    put(0, k, nothing);
   }
   for (std::uint32_t level = 1; level < levels_; ++level) {
-    for (std::uint32_t node = 0; node < nodes(level - 1); ++node) {
-      const Block& below = block(level - 1, node);
-      FloatBox box{infinity, infinity, -infinity, -infinity};
-      for (std::uint32_t lane = 0; lane < children(level - 1, node); ++lane) {
-        box = {std::min(box.x0, below.x0[lane]), std::min(box.y0, below.y0[lane]),
-               std::max(box.x1, below.x1[lane]), std::max(box.y1, below.y1[lane])};
-      }
-      blocks_[first_block_[level] + node / width].put(node % width, box);
+    const std::uint32_t below = nodes(level - 1);
+    for (std::uint32_t node = 0; node < below || node % width != 0; ++node) {
+      put(level, node, node < below ? block(level - 1, node).hull() : nothing);
     }
   }
 }
+
+template class OverlappingPairsIn<FloatLanes>;
+template class OverlappingPairsIn<ShortLanes>;
 
 }  // namespace gcv

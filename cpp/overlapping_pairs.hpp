@@ -17,13 +17,16 @@
 
 namespace gcv {
 
-class OverlappingPairs {
+// The numbers of the boxes in the tree are floats, or integers of 16 bits: these take less time,
+// but do not tell boxes apart that lie within 2^-16 of the extents.
+template <class Lanes>
+class OverlappingPairsIn {
  public:
-  explicit OverlappingPairs(std::span<const Box> boxes);
+  explicit OverlappingPairsIn(std::span<const Box> boxes);
 
   // The boxes of the edges of a closed ring. Most pairs of neighbours, which always overlap, are
   // passed over.
-  explicit OverlappingPairs(std::span<const Point> ring);
+  explicit OverlappingPairsIn(std::span<const Point> ring);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
   [[nodiscard]] std::uint32_t last_level() const { return levels_ - 1; }
@@ -42,7 +45,7 @@ class OverlappingPairs {
       return false;
     }
     for (std::uint32_t later = node + 1; later < nodes(level); ++later) {
-      const FloatBox box = box_of_node(level, later);
+      const NodeBox box = box_of_node(level, later);
       if (overlap(box_of_node(level, node), box) && !search.between(level, node, later, box)) {
         return false;
       }
@@ -65,39 +68,33 @@ class OverlappingPairs {
   }
 
  private:
-  static constexpr std::uint32_t width = EightLanes::width;
+  static constexpr std::uint32_t width = Lanes::width;
   static constexpr std::uint32_t most_levels = 11;  // of fewer than 2^32 boxes
 
-  // In floats, seen from one point and in a unit that brings the extents to about 1. Rounding
-  // keeps order: boxes that are apart there are apart. Where the extents overflow, all overlap.
-  struct FloatBox {
-    float x0;
-    float y0;
-    float x1;
-    float y1;
-  };
-  static bool overlap(const FloatBox& p, const FloatBox& q) {
+  // Seen from one point and in a unit that brings the extents to about 1. Rounding keeps order:
+  // boxes that are apart there are apart. Where the extents overflow, all overlap.
+  using NodeBox = LaneBox<Lanes>;
+  static bool overlap(const NodeBox& p, const NodeBox& q) {
     return !(p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0);
   }
 
   // The boxes of the children of a node. Those that are missing hold no point.
-  using Block = BoxBlock<EightLanes, FloatBox>;
+  using Block = BoxBlock<Lanes, NodeBox>;
 
   template <class Visit>
   struct Search {
-    const OverlappingPairs& pairs;
+    const OverlappingPairsIn& pairs;
     std::uint64_t pairs_left;
     Visit& visit;
 
     // The pairs inside a node.
     bool within(std::uint32_t level, std::uint32_t node) {
       const Block& block = pairs.block(level, node);
-      const std::uint32_t lanes = pairs.children(level, node);
+      const std::uint32_t children = pairs.children(level, node);
       const unsigned after_first = level == 0 ? pairs.after_first_ : ~1U;
-      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+      for (std::uint32_t lane = 0; lane < children; ++lane) {
         const std::uint32_t child = width * node + lane;
-        const unsigned later = after_first << lane & ~(~0U << lanes);
-        if (!with_children(level, child, block, block.box(lane), later, node) ||
+        if (!with_children(level, child, block, block.box(lane), after_first << lane, node) ||
             (level > 0 && !within(level - 1, child))) {
           return false;
         }
@@ -107,15 +104,12 @@ class OverlappingPairs {
 
     // The pairs of one box in each of two nodes of a level; the box of the second one is given.
     bool between(std::uint32_t level, std::uint32_t first, std::uint32_t second,
-                 const FloatBox& box_of_second) {
+                 const NodeBox& box_of_second) {
       const Block& p = pairs.block(level, first);
       const Block& q = pairs.block(level, second);
-      const unsigned all_of_p = ~(~0U << pairs.children(level, first));
-      const unsigned all_of_q = ~(~0U << pairs.children(level, second));
-      for (unsigned lanes = p.overlapping(box_of_second) & all_of_p; lanes != 0;
-           lanes &= lanes - 1) {
+      for (unsigned lanes = p.overlapping(box_of_second); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        if (!with_children(level, width * first + lane, q, p.box(lane), all_of_q, second)) {
+        if (!with_children(level, width * first + lane, q, p.box(lane), Lanes::all, second)) {
           return false;
         }
       }
@@ -124,7 +118,7 @@ class OverlappingPairs {
 
     // The pairs of one box in a child of that level and another in those children of a node.
     bool with_children(std::uint32_t level, std::uint32_t child, const Block& block,
-                       const FloatBox& box_of_child, unsigned lanes, std::uint32_t node) {
+                       const NodeBox& box_of_child, unsigned lanes, std::uint32_t node) {
       for (lanes &= block.overlapping(box_of_child); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
         const std::uint32_t other = width * node + lane;
@@ -138,8 +132,14 @@ class OverlappingPairs {
     }
   };
 
+  class Frame;
+
+  // Of so many boxes, given by box_of(k) in turn, as boxes of the tree.
   template <class BoxOf>
   void build(std::size_t boxes, BoxOf box_of);
+  void put(std::uint32_t level, std::uint32_t node, const NodeBox& box) {
+    blocks_[first_block_[level] + node / width].put(node % width, box);
+  }
 
   [[nodiscard]] const Block& block(std::uint32_t level, std::uint32_t node) const {
     return blocks_[first_block_[level] + node];
@@ -149,7 +149,7 @@ class OverlappingPairs {
     return all - width * node < width ? all - width * node : width;
   }
   // Not of the last level.
-  [[nodiscard]] FloatBox box_of_node(std::uint32_t level, std::uint32_t node) const {
+  [[nodiscard]] NodeBox box_of_node(std::uint32_t level, std::uint32_t node) const {
     return block(level + 1, node / width).box(node % width);
   }
 
@@ -159,5 +159,7 @@ class OverlappingPairs {
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
   std::vector<Block> blocks_;
 };
+
+using OverlappingPairs = OverlappingPairsIn<FloatLanes>;
 
 }  // namespace gcv

@@ -53,11 +53,13 @@ class Piece {
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
             ImplicitSuperset::Look& look) const {
     const CapsuleBlock& capsules = block.capsules;
-    const Lanes from = dx_ * Lanes::load(capsules.y0) - dy_ * Lanes::load(capsules.x0);
-    const Lanes to = dx_ * Lanes::load(capsules.y1) - dy_ * Lanes::load(capsules.x1);
-    const Lanes radius = length_ * Lanes::load(capsules.radius);
-    const Lanes lowest = smaller(from, to) - radius;
-    const Lanes highest = larger(from, to) + radius;
+    const DoubleLanes from =
+        dx_ * DoubleLanes::load(capsules.y0) - dy_ * DoubleLanes::load(capsules.x0);
+    const DoubleLanes to =
+        dx_ * DoubleLanes::load(capsules.y1) - dy_ * DoubleLanes::load(capsules.x1);
+    const DoubleLanes radius = length_ * DoubleLanes::load(capsules.radius);
+    const DoubleLanes lowest = smaller(from, to) - radius;
+    const DoubleLanes highest = larger(from, to) + radius;
     lowest.store(look.lowest);
     highest.store(look.highest);
     const unsigned apart = ((highest < offset_ - tolerance_ - other.offsets.highest) |
@@ -80,40 +82,43 @@ class Piece {
                : std::numeric_limits<double>::infinity();
   }
 
-  // Lanes whose sums with the other node lie beside the piece, seen along their chains.
-  [[nodiscard]] LaneMask apart_along_chains(const CapsuleBlock& capsules,
-                                            const ImplicitSuperset::Node& other) const {
-    const Lanes x = Lanes::load(capsules.x0);
-    const Lanes y = Lanes::load(capsules.y0);
-    const Lanes dx = Lanes::load(capsules.x1) - x;
-    const Lanes dy = Lanes::load(capsules.y1) - y;
+  // DoubleLanes whose sums with the other node lie beside the piece, seen along their chains.
+  [[nodiscard]] DoubleMask apart_along_chains(const CapsuleBlock& capsules,
+                                              const ImplicitSuperset::Node& other) const {
+    const DoubleLanes x = DoubleLanes::load(capsules.x0);
+    const DoubleLanes y = DoubleLanes::load(capsules.y0);
+    const DoubleLanes dx = DoubleLanes::load(capsules.x1) - x;
+    const DoubleLanes dy = DoubleLanes::load(capsules.y1) - y;
     const auto offset = [&](const Point& p) { return p.y * dx - p.x * dy; };
-    const Lanes chain = dx * y - dy * x;
-    const Lanes first = offset(other.from);
-    const Lanes second = offset(other.to);
-    const Lanes begin = offset(from_) - chain;
-    const Lanes end = offset(to_) - chain;
-    const Lanes reach = (Lanes::load(capsules.radius) + (other.radius + margin_)) *
-                            (magnitude(dx) + magnitude(dy)) +
-                        std::numeric_limits<double>::min();
+    const DoubleLanes chain = dx * y - dy * x;
+    const DoubleLanes first = offset(other.from);
+    const DoubleLanes second = offset(other.to);
+    const DoubleLanes begin = offset(from_) - chain;
+    const DoubleLanes end = offset(to_) - chain;
+    const DoubleLanes reach = (DoubleLanes::load(capsules.radius) + (other.radius + margin_)) *
+                                  (magnitude(dx) + magnitude(dy)) +
+                              std::numeric_limits<double>::min();
     return (larger(first, second) + reach < smaller(begin, end)) |
            (smaller(first, second) - reach > larger(begin, end));
   }
 
   // The same, seen along the chain of the other node.
-  [[nodiscard]] LaneMask apart_along(const CapsuleBlock& capsules,
-                                     const ImplicitSuperset::Node& other) const {
+  [[nodiscard]] DoubleMask apart_along(const CapsuleBlock& capsules,
+                                       const ImplicitSuperset::Node& other) const {
     const double dx = other.to.x - other.from.x;
     const double dy = other.to.y - other.from.y;
     const auto offset = [&](const Point& p) { return dx * p.y - dy * p.x; };
     const double chain = offset(other.from);
     const double begin = offset(from_) - chain;
     const double end = offset(to_) - chain;
-    const Lanes first = dx * Lanes::load(capsules.y0) - dy * Lanes::load(capsules.x0);
-    const Lanes second = dx * Lanes::load(capsules.y1) - dy * Lanes::load(capsules.x1);
+    const DoubleLanes first =
+        dx * DoubleLanes::load(capsules.y0) - dy * DoubleLanes::load(capsules.x0);
+    const DoubleLanes second =
+        dx * DoubleLanes::load(capsules.y1) - dy * DoubleLanes::load(capsules.x1);
     const double size = std::abs(dx) + std::abs(dy);
-    const Lanes reach = size * (Lanes::load(capsules.radius) + (other.radius + margin_)) +
-                        std::numeric_limits<double>::min();
+    const DoubleLanes reach =
+        size * (DoubleLanes::load(capsules.radius) + (other.radius + margin_)) +
+        std::numeric_limits<double>::min();
     return (larger(first, second) + reach < std::min(begin, end)) |
            (smaller(first, second) - reach > std::max(begin, end));
   }

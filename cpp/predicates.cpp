@@ -101,6 +101,10 @@ std::optional<int> doubled_sign(const DoubledVector& v, const DoubledVector& w) 
 // its own work.
 [[gnu::noinline]] int undecided_turn(const Point& p0, const Point& p1, const Point& q0,
                                      const Point& q1, Tally& tally) {
+  if ((p0.x == p1.x && q0.x == q1.x) || (p0.y == p1.y && q0.y == q1.y)) {  // along one axis
+    ++tally.filtered;
+    return 0;
+  }
   if (const auto sign = doubled_sign(doubled_vector(p0, p1), doubled_vector(q0, q1))) {
     ++tally.fixed_width;
     return *sign;

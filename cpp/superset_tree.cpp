@@ -21,54 +21,50 @@ std::uint64_t count_contributions(const EdgesByRank& edges, const Polygon& polyg
 }
 
 // The cells of a grid in the order of a Z-shaped curve (Morton, 1966), in which neighbours are
-// near, over numbers from -1 to 1; one to four for each edge.
+// near; one to four for each edge.
 class ZOrder {
  public:
   explicit ZOrder(std::size_t edges)
-      : bits_((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2) {}
+      : bits_((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2),
+        mask_(0x00010001U * ((1U << bits_) - 1)) {}
 
   [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (2 * bits_); }
-  // That of the centre of a box.
-  [[nodiscard]] std::uint32_t cell(const FourFloats& box) const {
-    return spread(coordinate(box[0] + box[2])) | spread(coordinate(box[1] + box[3])) << 1U;
+  // That of the centre of a box. Both coordinates lie side by side, of 16 bits each.
+  [[nodiscard]] std::uint32_t cell(const FourShorts& box) const {
+    const auto from_zero = std::bit_cast<std::uint64_t>(box) ^ 0x8000800080008000U;
+    const std::uint64_t halves = from_zero >> 1U & 0x7fff7fff7fff7fffU;
+    const auto centre =
+        static_cast<std::uint32_t>(halves) + static_cast<std::uint32_t>(halves >> 32U);
+    // Their first bits, 8 at most, with zeros between them.
+    std::uint32_t z = centre >> (16 - bits_) & mask_;
+    z = (z | z << 4U) & 0x0f0f0f0fU;
+    z = (z | z << 2U) & 0x33333333U;
+    z = (z | z << 1U) & 0x55555555U;
+    return (z | z >> 15U) & 0xffffU;
   }
 
  private:
-  // Of twice a number. Where numbers have overflowed, any will do.
-  [[nodiscard]] std::uint32_t coordinate(float twice_x) const {
-    const auto cells = static_cast<float>(1U << bits_);
-    const float place = (twice_x + 2) * (cells / 4);
-    return place > 0 ? static_cast<std::uint32_t>(std::min(place, cells - 1)) : 0;
-  }
-  // The bits of a number below 2^8, with zeros between them.
-  static std::uint32_t spread(std::uint32_t x) {
-    x = (x | x << 4U) & 0x0f0fU;
-    x = (x | x << 2U) & 0x3333U;
-    return (x | x << 1U) & 0x5555U;
-  }
-
   unsigned bits_;
+  std::uint32_t mask_;
 };
 
-constexpr float infinity = std::numeric_limits<float>::infinity();
+using ShortBox = LaneBox<ShortLanes>;
 
-// Boxes have their sides in the order of SupersetTree::Block.
-constexpr FourFloats nothing{infinity, infinity, -infinity, -infinity};
-constexpr FourFloats everything{-infinity, -infinity, infinity, infinity};
+constexpr ShortBox nothing{ShortLanes::highest, ShortLanes::highest, ShortLanes::lowest,
+                           ShortLanes::lowest};
 
-// A vertex of a polygon, with its coordinates twice, and the box of the edge behind it, in the
-// unit of the tree.
-struct ScaledVertex {
-  FourFloats point;
-  FourFloats box;
+// A vertex of a polygon, with its coordinates twice, and the box of the edge behind it.
+struct PlacedVertex {
+  FourShorts point;
+  FourShorts box;
 };
 
-void scale_vertices(const Polygon& polygon, double scale, ScaledVertex* vertices) {
+void place_vertices(const Polygon& polygon, const CoarseGrid& grid, PlacedVertex* vertices) {
   const auto point = [&](Index i) {
-    const Point p = polygon.relative(i);
-    const auto x = static_cast<float>(p.x * scale);
-    const auto y = static_cast<float>(p.y * scale);
-    return FourFloats{x, y, x, y};
+    const Point p = grid.place(polygon.relative(i));
+    const auto x = static_cast<std::int16_t>(CoarseGrid::rounded(p.x));
+    const auto y = static_cast<std::int16_t>(CoarseGrid::rounded(p.y));
+    return FourShorts{x, y, x, y};
   };
   vertices[0].point = point(0);
   for (Index i = 0; i < polygon.size(); ++i) {
@@ -76,39 +72,32 @@ void scale_vertices(const Polygon& polygon, double scale, ScaledVertex* vertices
     if (next != 0) {
       vertices[next].point = point(next);
     }
-    const FourFloats& p = vertices[i].point;
-    const FourFloats& q = vertices[next].point;
-    vertices[i].box = FourFloats{std::min(p[0], q[0]), std::min(p[1], q[1]), std::max(p[0], q[0]),
+    const FourShorts& p = vertices[i].point;
+    const FourShorts& q = vertices[next].point;
+    vertices[i].box = FourShorts{std::min(p[0], q[0]), std::min(p[1], q[1]), std::max(p[0], q[0]),
                                  std::max(p[1], q[1])};
   }
 }
 
 struct BoxedEdge {
-  FourFloats box;
+  FourShorts box;
   PairEdge edge;
   std::uint32_t cell;
 };
 
-void put(SupersetTree::Block& block, std::uint32_t lane, const FourFloats& box) {
-  for (unsigned side = 0; side < 4; ++side) {
-    block.sides[side][lane] = box[side];
-  }
+// Of the box of a polygon, relative to its vertex 0.
+Point middle_of(const Polygon& polygon) {
+  const Box& box = polygon.bounds;
+  const Point& origin = polygon.vertices.front();
+  return {((box.x0 - origin.x) + (box.x1 - origin.x)) / 2,
+          ((box.y0 - origin.y) + (box.y1 - origin.y)) / 2};
 }
 
-FourFloats join(const SupersetTree::Block& block) {
-  const auto& sides = block.sides;
-  FourFloats box{sides[0][0], sides[1][0], sides[2][0], sides[3][0]};
-  for (std::uint32_t lane = 1; lane < EightLanes::width; ++lane) {
-    box = FourFloats{std::min(box[0], sides[0][lane]), std::min(box[1], sides[1][lane]),
-                     std::max(box[2], sides[2][lane]), std::max(box[3], sides[3][lane])};
-  }
-  return box;
-}
-
+// For whole extents of 2^16 units less a few.
 double scale_of(const Operands& operands) {
   const Box& a = operands.a.bounds;
   const Box& b = operands.b.bounds;
-  return scale_to_one(std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0)));
+  return 65520 / std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0));
 }
 
 }  // namespace
@@ -118,64 +107,82 @@ std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked
          count_contributions(ranked.b, operands.a, operands.directions.rank_a);
 }
 
-SupersetTree::SupersetTree(const Operands& operands, const RankedEdges& ranked, std::size_t size)
-    : scale_(scale_of(operands)) {
+CoarseGrid::CoarseGrid(const Operands& operands) : scale_(scale_of(operands)) {
+  const Point a = middle_of(operands.a);
+  const Point b = middle_of(operands.b);
+  middle_ = {a.x + b.x, a.y + b.y};
+}
+
+CoarseGrid CoarseGrid::of(const Polygon& polygon) const { return {scale_, middle_of(polygon)}; }
+
+bool CoarseGrid::is_fine_enough(const Operands& operands) const {
+  const double shortest = 2 / scale_;
+  const auto most_are_longer = [&](const Polygon& polygon) {
+    std::size_t short_edges = 0;
+    for (Index i = 0; i < polygon.size(); ++i) {
+      const Point& p = polygon.vertices[i];
+      const Point& q = polygon.vertices[polygon.next(i)];
+      if (std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= shortest) {
+        ++short_edges;
+      }
+    }
+    return short_edges <= polygon.size() / 8;
+  };
+  return scale_ > 0 && std::isfinite(scale_) && most_are_longer(operands.a) &&
+         most_are_longer(operands.b);
+}
+
+SupersetTree::SupersetTree(const Operands& operands, const CoarseGrid& grid,
+                           const RankedEdges& ranked, std::size_t size)
+    : grid_(grid) {
   const ZOrder order(size);
   std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
   std::vector<BoxedEdge> edges;
   edges.reserve(size);
-  std::vector<ScaledVertex> scaled(std::size_t{operands.a.size()} + operands.b.size());
-  ScaledVertex* const scaled_a = scaled.data();
-  ScaledVertex* const scaled_b = scaled_a + operands.a.size();
-  scale_vertices(operands.a, scale_, scaled_a);
-  scale_vertices(operands.b, scale_, scaled_b);
-  const auto add = [&](const PairEdge& edge, const FourFloats& sum) {
-    const FourFloats box = scale_ == 0 ? everything : sum;
+  std::vector<PlacedVertex> placed(std::size_t{operands.a.size()} + operands.b.size());
+  PlacedVertex* const placed_a = placed.data();
+  PlacedVertex* const placed_b = placed_a + operands.a.size();
+  place_vertices(operands.a, grid.of(operands.a), placed_a);
+  place_vertices(operands.b, grid.of(operands.b), placed_b);
+  const auto add = [&](const PairEdge& edge, const FourShorts& box) {
     const std::uint32_t cell = order.cell(box);
     ++places[cell + 1];
     edges.push_back({box, edge, cell});
   };
   for_each_cone(operands.b, operands.directions.rank_b, [&](Index j, Rank in, Rank out) {
     ranked.a.for_each(in, out, [&](Index i) {
-      add(operands.translated(i, j), scaled_a[i].box + scaled_b[j].point);
+      add(operands.translated(i, j), placed_a[i].box + placed_b[j].point);
     });
   });
   for_each_cone(operands.a, operands.directions.rank_a, [&](Index i, Rank in, Rank out) {
     ranked.b.for_each(
-        in, out, [&](Index j) { add(operands.corner(i, j), scaled_a[i].point + scaled_b[j].box); });
+        in, out, [&](Index j) { add(operands.corner(i, j), placed_a[i].point + placed_b[j].box); });
   });
   std::partial_sum(places.begin(), places.end(), places.begin());
 
-  constexpr std::uint32_t width = EightLanes::width;
-  std::uint32_t counts[most_levels];  // of blocks, from those of edges up
-  auto count = static_cast<std::uint32_t>(size);
-  levels_ = 0;
-  do {
-    count = (count + width - 1) / width;
-    counts[levels_++] = count;
-  } while (count > 1);
-  std::uint32_t blocks = 0;
-  for (std::uint32_t level = 0; level < levels_; ++level) {
-    nodes_[level] = counts[levels_ - 1 - level];
-    first_block_[level] = blocks;
-    blocks += nodes_[level];
+  constexpr std::uint32_t width = ShortLanes::width;
+  const auto leaves = static_cast<std::uint32_t>((size + width - 1) / width);
+  for (std::uint32_t nodes = 1; nodes < leaves; nodes *= width) {
+    first_leaf_ = width * first_leaf_ + 1;
   }
-  nodes_[levels_] = static_cast<std::uint32_t>(size);
-  blocks_.resize(blocks);
+  blocks_.resize(std::size_t{first_leaf_} + leaves);
   edges_.resize(size);
-  Block* const leaves = &blocks_[first_block_[levels_ - 1]];
+  Block* level = &blocks_[first_leaf_];
   for (const BoxedEdge& e : edges) {
     const std::uint32_t place = places[e.cell]++;
     edges_[place] = e.edge;
-    put(leaves[place / width], place % width, e.box);
+    level[place / width].put(place % width, std::bit_cast<ShortBox>(e.box));
   }
   for (auto k = static_cast<std::uint32_t>(size); k % width != 0; ++k) {
-    put(leaves[k / width], k % width, nothing);
+    level[k / width].put(k % width, nothing);
   }
-  for (std::uint32_t level = levels_ - 1; level-- > 0;) {
-    for (std::uint32_t k = 0; k < width * nodes_[level]; ++k) {
-      put(blocks_[first_block_[level] + k / width], k % width,
-          k < nodes_[level + 1] ? join(blocks_[first_block_[level + 1] + k]) : nothing);
+  std::uint32_t first = first_leaf_;
+  for (std::uint32_t count = leaves; count > 1; count = (count + width - 1) / width) {
+    const Block* const below = &blocks_[first];
+    first = (first - 1) / width;
+    level = &blocks_[first];
+    for (std::uint32_t k = 0; k < count || k % width != 0; ++k) {
+      level[k / width].put(k % width, k < count ? below[k].hull() : nothing);
     }
   }
 }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -20,88 +21,118 @@ namespace gcv {
 // How many superset edges there are, before merging. O(n + m).
 std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked);
 
+// Relative coordinates of the sum as integers of 16 bits, from the middle of its extents.
+class CoarseGrid {
+ public:
+  explicit CoarseGrid(const Operands& operands);
+
+  // Are all numbers in range, and most edges of both polygons longer than two units? Where they
+  // are not, too many edges are in one place. O(n + m).
+  [[nodiscard]] bool is_fine_enough(const Operands& operands) const;
+
+  // In units of the grid, not rounded.
+  [[nodiscard]] Point place(const Point& p) const {
+    return {(p.x - middle_.x) * scale_, (p.y - middle_.y) * scale_};
+  }
+  // To the nearest integer; for numbers of up to 16 bits.
+  [[nodiscard]] static int rounded(double x) { return static_cast<int>(x + 32768.5) - 32768; }
+
+  // Those of one polygon: their places add up to those of the sum.
+  [[nodiscard]] CoarseGrid of(const Polygon& polygon) const;
+
+ private:
+  CoarseGrid(double scale, const Point& middle) : scale_(scale), middle_(middle) {}
+
+  double scale_;
+  Point middle_;
+};
+
 class SupersetTree {
  public:
   static constexpr std::uint64_t most_edges = 16384;
 
   // For so many edges as count_superset() says, most_edges at most. O(n + m + edges).
-  SupersetTree(const Operands& operands, const RankedEdges& ranked, std::size_t size);
+  SupersetTree(const Operands& operands, const CoarseGrid& grid, const RankedEdges& ranked,
+               std::size_t size);
 
-  // The boxes of the children of one node, in the unit of the tree. Those that are missing hold
-  // no point.
-  struct Block {
-    enum Side : std::uint8_t { x_low, y_low, x_high, y_high };
-    float sides[4][EightLanes::width];
-
-    [[nodiscard]] EightLanes lanes(Side side) const { return EightLanes::load(sides[side]); }
-  };
+  // The boxes of the children of one node. Those that are missing hold no point.
+  using Block = BoxBlock<ShortLanes, LaneBox<ShortLanes>>;
 
   // A piece of an edge, from `from` to `to` in relative coordinates, as a place to search.
   //
-  // The unit of the tree is a power of two from the extents of the sum on: in it, all coordinates
-  // are 1 at most. With v = 2^-24, half the distance from 1 to the next float: a side of a box, the
-  // sum of two floats, is off by 3v, an end of the piece by v, and `slack` is 32v. The direction of
-  // the edge, its larger part being 1, is off by v, so that an offset from its line, at most 2
-  // away, is off by 2v for the direction, 6v for the point and 8v for products and sums; `slack`
-  // is more.
+  // In units of the grid: a side of a box, the sum of two rounded numbers, is off by 1, an end of
+  // the piece by 1/2; `box_slack` is 2. Offsets from the line of the edge, its direction having
+  // 2^15 - 1 as its larger part, count 2^16: an offset is off by 1/2 for the direction, which is
+  // off by 1/2 in its other part only, 1 for the point, 1 for two products that were rounded down
+  // and 1 for the offset of the line; `line_slack` is 4.
   class Piece {
    public:
     Piece(const SupersetTree& tree, const SumEdge& s, const Point& origin, const Point& from,
           const Point& to)
-        : scale_(tree.scale_), from_(from) {
+        : grid_(tree.grid_), from_(grid_.place(from)) {
       const double size = std::max(std::abs(s.dx), std::abs(s.dy));
-      dx_ = static_cast<float>(s.dx / size);
-      dy_ = static_cast<float>(s.dy / size);
-      offset_ =
-          static_cast<float>(double{dx_} * (origin.y * scale_) - double{dy_} * (origin.x * scale_));
-      ascends_ = std::abs(dx_) > std::abs(dy_) ? dx_ > 0 : dy_ > 0;
-      near_x_ = dy_ > 0 ? Block::x_low : Block::x_high;
-      far_x_ = dy_ > 0 ? Block::x_high : Block::x_low;
-      near_y_ = dx_ > 0 ? Block::y_low : Block::y_high;
-      far_y_ = dx_ > 0 ? Block::y_high : Block::y_low;
+      const int dx = CoarseGrid::rounded(s.dx / size * 0x7fff);
+      const int dy = CoarseGrid::rounded(s.dy / size * 0x7fff);
+      const Point start = grid_.place(origin);
+      const auto offset = static_cast<int>((dx * start.y - dy * start.x) * 0x1p-16);
+      dx_ = ShortLanes::of(dx);
+      dy_ = ShortLanes::of(dy);
+      leftmost_ = ShortLanes::of(std::min(offset + line_slack, most));
+      rightmost_ = ShortLanes::of(std::max(offset - line_slack, -most));
+      ascends_ = std::abs(dx) > std::abs(dy) ? dx > 0 : dy > 0;
+      near_x_ = dy > 0 ? &Block::x0 : &Block::x1;
+      far_x_ = dy > 0 ? &Block::x1 : &Block::x0;
+      near_y_ = dx > 0 ? &Block::y0 : &Block::y1;
+      far_y_ = dx > 0 ? &Block::y1 : &Block::y0;
       shorten(to);
     }
 
     void shorten(const Point& to) {
-      x_low_ = scaled(std::min(from_.x, to.x)) - slack;
-      y_low_ = scaled(std::min(from_.y, to.y)) - slack;
-      x_high_ = scaled(std::max(from_.x, to.x)) + slack;
-      y_high_ = scaled(std::max(from_.y, to.y)) + slack;
+      const Box box = box_of(from_, grid_.place(to));
+      x_low_ = ShortLanes::of(std::max(CoarseGrid::rounded(box.x0) - box_slack, -most));
+      y_low_ = ShortLanes::of(std::max(CoarseGrid::rounded(box.y0) - box_slack, -most));
+      x_high_ = ShortLanes::of(std::min(CoarseGrid::rounded(box.x1) + box_slack, most));
+      y_high_ = ShortLanes::of(std::min(CoarseGrid::rounded(box.y1) + box_slack, most));
     }
 
     // The lanes whose boxes reach that of the piece, and the line of the edge or both of its
     // sides.
     [[nodiscard]] unsigned overlapping(const Block& block) const {
-      const EightLanes offset_high = dx_ * block.lanes(far_y_) - dy_ * block.lanes(near_x_);
-      const EightLanes offset_low = dx_ * block.lanes(near_y_) - dy_ * block.lanes(far_x_);
-      const EightMask apart =
-          (block.lanes(Block::x_low) > x_high_) | (block.lanes(Block::x_high) < x_low_) |
-          (block.lanes(Block::y_low) > y_high_) | (block.lanes(Block::y_high) < y_low_) |
-          (offset_high < offset_ - slack) | (offset_low > offset_ + slack);
-      return ~apart.bits() & EightLanes::all;
+      const auto lanes = [&](Side side) { return ShortLanes::load(block.*side); };
+      const ShortLanes offset_high =
+          high_product(dx_, lanes(far_y_)) - high_product(dy_, lanes(near_x_));
+      const ShortLanes offset_low =
+          high_product(dx_, lanes(near_y_)) - high_product(dy_, lanes(far_x_));
+      const ShortLanes apart = (lanes(&Block::x0) > x_high_) | (lanes(&Block::x1) < x_low_) |
+                               (lanes(&Block::y0) > y_high_) | (lanes(&Block::y1) < y_low_) |
+                               (offset_high < rightmost_) | (offset_low > leftmost_);
+      return ~apart.bits() & ShortLanes::all;
     }
 
     // Are boxes with larger coordinates to come last?
     [[nodiscard]] bool ascends() const { return ascends_; }
 
    private:
-    static constexpr float slack = 0x1p-19F;
+    using Side = ShortLanes::Number (Block::*)[ShortLanes::width];
 
-    [[nodiscard]] float scaled(double x) const { return static_cast<float>(x * scale_); }
+    static constexpr int box_slack = 2;
+    static constexpr int line_slack = 4;
+    static constexpr int most = ShortLanes::highest - 1;  // where nothing is missing
 
-    double scale_;
+    const CoarseGrid& grid_;
     Point from_;
-    float dx_;
-    float dy_;
-    float offset_;  // of the line of the edge, from the relative origin
-    float x_low_ = 0;
-    float y_low_ = 0;
-    float x_high_ = 0;
-    float y_high_ = 0;
-    Block::Side near_x_;  // where the offsets are largest
-    Block::Side far_x_;
-    Block::Side near_y_;
-    Block::Side far_y_;
+    ShortLanes dx_;
+    ShortLanes dy_;
+    ShortLanes leftmost_;
+    ShortLanes rightmost_;
+    ShortLanes x_low_;
+    ShortLanes y_low_;
+    ShortLanes x_high_;
+    ShortLanes y_high_;
+    Side near_x_;  // where the offsets are largest
+    Side far_x_;
+    Side near_y_;
+    Side far_y_;
     bool ascends_;
   };
 
@@ -109,25 +140,26 @@ class SupersetTree {
   // visit() may shorten.
   template <class Visit>
   void search(const Piece& piece, Visit visit) const {
-    Node stack[most_levels * EightLanes::width];
-    stack[0] = {0, 0};
+    constexpr std::uint32_t width = ShortLanes::width;
+    std::uint32_t stack[most_levels * width];
+    stack[0] = 0;
     for (std::uint32_t count = 1; count > 0;) {
-      const Node node = stack[--count];
-      const std::uint32_t children = EightLanes::width * node.index;
-      // Missing ones overlap where numbers have overflowed.
-      const std::uint32_t existing = std::min(nodes_[node.level + 1] - children, EightLanes::width);
-      const unsigned lanes = piece.overlapping(blocks_[first_block_[node.level] + node.index]) &
-                             (EightLanes::all >> (EightLanes::width - existing));
-      if (node.level + 1 == levels_) {
-        for_each_lane(lanes, [&](std::uint32_t lane) { visit(edges_[children + lane]); });
+      const std::uint32_t node = stack[--count];
+      unsigned lanes = piece.overlapping(blocks_[node]);
+      if (node >= first_leaf_) {
+        const PairEdge* const edges = &edges_[std::size_t{width} * (node - first_leaf_)];
+        for_each_lane(lanes, [&](std::uint32_t lane) { visit(edges[lane]); });
         continue;
       }
-      const std::uint32_t first = count;
-      for_each_lane(lanes, [&](std::uint32_t lane) {
-        stack[count++] = {node.level + 1, children + lane};
-      });
-      if (piece.ascends()) {
-        std::reverse(stack + first, stack + count);
+      const std::uint32_t children = width * node + 1;
+      if (!piece.ascends()) {
+        for_each_lane(lanes, [&](std::uint32_t lane) { stack[count++] = children + lane; });
+        continue;
+      }
+      while (lanes != 0) {
+        const auto last = static_cast<std::uint32_t>(std::bit_width(lanes)) - 1;
+        stack[count++] = children + last;
+        lanes ^= 1U << last;
       }
     }
   }
@@ -135,17 +167,11 @@ class SupersetTree {
  private:
   static constexpr std::uint32_t most_levels = 5;
 
-  struct Node {
-    std::uint32_t level;
-    std::uint32_t index;
-  };
-
-  double scale_;                            // 1 / unit
-  std::vector<PairEdge> edges_;             // in the order of the boxes of the last level
-  std::vector<Block> blocks_;               // from the root's to those of edges
-  std::uint32_t nodes_[most_levels + 1];    // of each level, and the edges
-  std::uint32_t first_block_[most_levels];  // of each level
-  std::uint32_t levels_;
+  CoarseGrid grid_;
+  std::vector<PairEdge> edges_;  // in the order of their boxes
+  // Of the root, node 0, and of all others: the children of node k are 8k + 1 to 8k + 8.
+  std::vector<Block> blocks_;
+  std::uint32_t first_leaf_ = 0;  // the first node with edges for children
 };
 
 }  // namespace gcv

@@ -11,6 +11,11 @@ std::uint64_t count_superset(const Operands&, const RankedEdges&) {
   return std::numeric_limits<std::uint64_t>::max();
 }
 
-SupersetTree::SupersetTree(const Operands&, const RankedEdges&, std::size_t) {}
+CoarseGrid::CoarseGrid(const Operands&) : scale_(0), middle_{0, 0} {}
+
+bool CoarseGrid::is_fine_enough(const Operands&) const { return false; }
+
+SupersetTree::SupersetTree(const Operands&, const CoarseGrid& grid, const RankedEdges&, std::size_t)
+    : grid_(grid) {}
 
 }  // namespace gcv

@@ -33,7 +33,7 @@ struct Everywhere {
   static ImplicitSuperset::Offsets offsets(const Box& /*box*/) { return {0, 0}; }
   static void look(const ImplicitSuperset::Block& /*block*/,
                    const ImplicitSuperset::Node& /*other*/, ImplicitSuperset::Look& look) {
-    look = {Lanes::all, {0, 0, 0, 0}, {0, 0, 0, 0}};
+    look = {DoubleLanes::all, {0, 0, 0, 0}, {0, 0, 0, 0}};
   }
 };
 

@@ -117,12 +117,43 @@ void expect_all_found(double most_visits, Prepare prepare) {
 TEST(SupersetTree, FindsAllEdgesThatMeetAPiece) {
   expect_all_found(0.3, [](const Operands& operands, const std::vector<PairEdge>& edges) {
     const RankedEdges ranked(operands.directions);
+    const CoarseGrid grid(operands);
     EXPECT_EQ(count_superset(operands, ranked), edges.size());
-    return [tree = SupersetTree(operands, ranked, edges.size())](const SumEdge& edge,
-                                                                 const Segment& piece, auto visit) {
+    EXPECT_TRUE(grid.is_fine_enough(operands));
+    return [tree = SupersetTree(operands, grid, ranked, edges.size())](
+               const SumEdge& edge, const Segment& piece, auto visit) {
       tree.search(SupersetTree::Piece(tree, edge, edge.from, piece.from, piece.to), visit);
     };
   });
+}
+
+// A gear of so many teeth, whose edges are about as long as its radius over their number.
+Polygon gear(int teeth, double radius) {
+  Ring ring;
+  for (int k = 0; k < 2 * teeth; ++k) {
+    const double angle = M_PI * k / teeth;
+    const double r = k % 2 == 0 ? radius : 0.8 * radius;
+    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
+  }
+  return make_polygon(ring, "gear");
+}
+
+TEST(CoarseGrid, IsTooCoarseForManyShortEdgesOrExtentsOutOfRange) {
+  const auto is_fine = [](double radius_a, double radius_b) {
+    Tally tally;
+    const Polygon a = gear(50, radius_a);
+    const Polygon b = gear(50, radius_b);
+    const Operands operands{a, b, merge_directions(a, b, tally)};
+    return CoarseGrid(operands).is_fine_enough(operands);
+  };
+  EXPECT_TRUE(is_fine(1, 1));
+  EXPECT_TRUE(is_fine(1, 1e-2));
+  EXPECT_FALSE(is_fine(1, 1e-4));
+  EXPECT_FALSE(is_fine(1e-4, 1));
+  EXPECT_TRUE(is_fine(0x1p-900, 0x1p-900));
+  EXPECT_TRUE(is_fine(0x1p1020, 0x1p1020));
+  EXPECT_FALSE(is_fine(0x1p1023, 0x1p1023));
+  EXPECT_FALSE(is_fine(0x1p-1020, 0x1p-1020));
 }
 
 TEST(ImplicitSuperset, FindsAllEdgesThatMeetAPiece) {
