@@ -113,6 +113,11 @@ Set hostile() {
   return {.name = "hostile",
           .pairs = {{"coasts 10000 x 10000", [] { return coasts(10000, 10000); }},
                     {"comb of 250 teeth, with itself", [] { return twice(comb(250)); }},
+                    {"comb of 250 uneven teeth, with itself",
+                     [] {
+                       Random random(250);
+                       return twice(uneven_comb(random, 250));
+                     }},
                     {"comb of 2500 teeth, turned",
                      [] {
                        return Rings{comb(2500), quarter_turned(comb(2500))};

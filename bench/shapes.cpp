@@ -80,6 +80,18 @@ Ring comb(int teeth) {
   return ring;
 }
 
+Ring uneven_comb(Random& random, int teeth) {
+  std::vector<double> sides{0};  // of teeth, from left to right: both of the first one, ...
+  while (sides.size() < 2 * static_cast<std::size_t>(teeth)) {
+    sides.push_back(sides.back() + 1 + 0x1p-16 * test::uniform(random, 0, 1023));
+  }
+  Ring ring = comb(teeth);
+  for (Point& p : ring) {
+    p.x = sides[static_cast<std::size_t>(p.x)];
+  }
+  return ring;
+}
+
 Ring quarter_turned(Ring ring) {
   for (Point& p : ring) {
     p = {0.0 - p.y, p.x};

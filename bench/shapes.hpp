@@ -24,6 +24,8 @@ Ring tiny(Random& random);
 
 // Teeth that point upwards from a bar.
 Ring comb(int teeth);
+// The same with teeth and gaps of widths that differ by up to 1/64.
+Ring uneven_comb(Random& random, int teeth);
 Ring quarter_turned(Ring ring);
 
 // Koch's snowflake: 3 * 4^level vertices.

@@ -134,50 +134,51 @@ class Walker {
   Arc run(const HullVertex& first, const HullVertex& last) {
     const std::size_t guess = std::min<std::size_t>(operands_.a.size() + operands_.b.size(), 4096);
     walk_.vertices.reserve(guess);
-    set_out(line_of(first_edge(first.i, first.j)), at_sum({first.i, first.j}));
-    EdgeName arriving = line_.edge;
+    PairEdge next = first_edge(first.i, first.j);
+    EdgeName arriving = next;
     bool turns = true;
+    stop_at({first.i, first.j});
     while (true) {
+      set_out(next);
       if (turns) {
-        walk_.vertices.push_back({place_.is_sum, place_.sum.i, place_.sum.j, arriving, line_.edge});
+        walk_.vertices.push_back({place_.is_sum, place_.sum.i, place_.sum.j, arriving, next});
       }
       count_step();
       find_step();
-      Line next;
-      Place place;
       if (event_) {
-        next = event_->line;
-        place = event_->place;
+        next = event_->line.edge;
+        place_ = event_->place;
+        if (!place_.is_sum) {  // from now on, seen from the next edge
+          place_.crossing = line_.edge;
+          place_.parameter = crossing_parameter(event_->line.at, line_.at);
+        }
+      } else if (end_sum_ == VertexSum{last.i, last.j}) {
+        break;
+      } else if (onwards_) {
+        next = *onwards_;
+        stop_at(end_sum_);
       } else {
-        place = at_sum(end_sum_);
-        if (end_sum_ == VertexSum{last.i, last.j}) {
-          break;
-        }
-        if (!onwards_) {
-          throw Error(Status::internal,
-                      "no superset edge leads on from vertex %u of a + vertex %u of b",
-                      operands_.a.vertex_number[end_sum_.i], operands_.b.vertex_number[end_sum_.j]);
-        }
-        next = line_of(*onwards_);
-      }
-      if (!place.is_sum) {  // from now on, seen from the next edge
-        place.crossing = line_.edge;
-        place.parameter = crossing_parameter(next.at, line_.at);
+        throw Error(Status::internal,
+                    "no superset edge leads on from vertex %u of a + vertex %u of b",
+                    operands_.a.vertex_number[end_sum_.i], operands_.b.vertex_number[end_sum_.j]);
       }
       arriving = line_.edge;
-      turns = next.edge.rank != line_.edge.rank;
-      set_out(next, place);
+      turns = next.rank != line_.edge.rank;
     }
     task_.advance(walk_.steps % Task::portion);
     return {std::move(walk_), line_.edge, tally_};
   }
 
  private:
-  // Goes on along an edge, from a place on it.
-  void set_out(const Line& line, const Place& place) {
-    line_ = line;
-    place_ = place;
-    end_sum_ = end_of(line.edge);
+  void stop_at(const VertexSum& sum) {
+    place_.is_sum = true;
+    place_.sum = sum;
+  }
+
+  // Goes on along an edge, from the place.
+  void set_out(const PairEdge& edge) {
+    line_ = line_of(edge);
+    end_sum_ = end_of(edge);
     end_ = relative_on(line_, 1);
     event_.reset();
     onwards_.reset();
@@ -199,8 +200,6 @@ class Walker {
   [[nodiscard]] Line line_of(const PairEdge& e) const {
     return {e, coordinates(operands_.a, operands_.b, e)};
   }
-
-  static Place at_sum(const VertexSum& sum) { return {true, sum, {}, {}}; }
 
   [[nodiscard]] VertexSum end_of(const PairEdge& e) const {
     return e.kind == PairEdge::translated ? VertexSum{operands_.a.next(e.i), e.j}
