@@ -48,10 +48,12 @@ struct Origin {
 
 // The quotient n d / D, where all of it is a double.
 std::optional<double> exact_way(const DoubledParameter& lambda, const DoubledNumber& d) {
+  if (!lambda.is_fraction || !d.is_double()) {
+    return std::nullopt;
+  }
   const double product = lambda.n * d.head;
   const double quotient = product / lambda.d;
-  if (lambda.is_fraction && d.is_double() &&
-      is_exact_product(lambda.n, d.head, product, std::fma(lambda.n, d.head, -product)) &&
+  if (is_exact_product(lambda.n, d.head, product, std::fma(lambda.n, d.head, -product)) &&
       is_exact_product(quotient, lambda.d, product, std::fma(quotient, lambda.d, -product))) {
     return quotient;
   }

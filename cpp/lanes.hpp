@@ -120,8 +120,6 @@ struct FloatLanes {
     std::memcpy(&lanes, numbers, sizeof lanes);
     return lanes;
   }
-  // Of a number from 0 to 1, in order, strictly between the lowest and the highest.
-  static Number between(double x) { return static_cast<Number>(x); }
 
   friend FloatMask operator<(const FloatLanes& p, Number x) { return {p.low < x, p.high < x}; }
   friend FloatMask operator>(const FloatLanes& p, Number x) { return {p.low > x, p.high > x}; }
@@ -159,10 +157,6 @@ struct ShortLanes {
     const auto n = static_cast<Number>(x);
     return {EightShorts{n, n, n, n, n, n, n, n}};
   }
-  // Of a number from 0 to 1, in order, strictly between the lowest and the highest.
-  static Number between(double x) {
-    return static_cast<Number>(static_cast<int>(x * 65520) - 32760);
-  }
 
   friend ShortLanes operator-(const ShortLanes& p, const ShortLanes& q) {
     return {p.numbers - q.numbers};
@@ -184,8 +178,6 @@ struct ShortLanes {
   friend ShortLanes operator>(const ShortLanes& p, const ShortLanes& q) {
     return {p.numbers > q.numbers};
   }
-  friend ShortLanes operator<(const ShortLanes& p, Number x) { return {p.numbers < x}; }
-  friend ShortLanes operator>(const ShortLanes& p, Number x) { return {p.numbers > x}; }
 
   friend Number smallest(const ShortLanes& p) {
     const EightShorts four = smaller(p.numbers, other_half(p.numbers));

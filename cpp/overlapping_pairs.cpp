@@ -15,12 +15,11 @@ Box hull_of(const Box& p, const Box& q) {
 }  // namespace
 
 // The numbers of the tree for coordinates within some bounds.
-template <class Lanes>
-class OverlappingPairsIn<Lanes>::Frame {
+class OverlappingPairs::Frame {
  public:
   struct Place {
-    typename Lanes::Number x;
-    typename Lanes::Number y;
+    float x;
+    float y;
   };
 
   explicit Frame(const Box& bounds)
@@ -29,9 +28,10 @@ class OverlappingPairsIn<Lanes>::Frame {
 
   [[nodiscard]] Place place(double x, double y) const {
     if (scale_ == 0) {  // the extents overflow
-      return {Lanes::between(0), Lanes::between(0)};
+      return {0, 0};
     }
-    return {Lanes::between((x - bounds_.x0) * scale_), Lanes::between((y - bounds_.y0) * scale_)};
+    return {static_cast<float>((x - bounds_.x0) * scale_),
+            static_cast<float>((y - bounds_.y0) * scale_)};
   }
 
  private:
@@ -39,8 +39,7 @@ class OverlappingPairsIn<Lanes>::Frame {
   double scale_;
 };
 
-template <class Lanes>
-OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Box> boxes) : after_first_(~1U) {
+OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1U) {
   Box bounds = boxes[0];
   for (const Box& box : boxes) {
     bounds = hull_of(bounds, box);
@@ -53,8 +52,7 @@ OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Box> boxes) : afte
   });
 }
 
-template <class Lanes>
-OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Point> ring) : after_first_(~3U) {
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
   Box bounds = box_of(ring[0], ring[0]);
   for (const Point& p : ring) {
     bounds = hull_of(bounds, box_of(p, p));
@@ -70,9 +68,8 @@ OverlappingPairsIn<Lanes>::OverlappingPairsIn(std::span<const Point> ring) : aft
   });
 }
 
-template <class Lanes>
 template <class BoxOf>
-void OverlappingPairsIn<Lanes>::build(std::size_t boxes, BoxOf box_of) {
+void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
   boxes_ = static_cast<std::uint32_t>(boxes);
   first_block_[0] = 0;
   std::uint32_t count = boxes_;
@@ -83,7 +80,8 @@ void OverlappingPairsIn<Lanes>::build(std::size_t boxes, BoxOf box_of) {
   } while (count > 1);
   blocks_.resize(first_block_[levels_]);
 
-  constexpr NodeBox nothing{Lanes::highest, Lanes::highest, Lanes::lowest, Lanes::lowest};
+  constexpr NodeBox nothing{FloatLanes::highest, FloatLanes::highest, FloatLanes::lowest,
+                            FloatLanes::lowest};
   for (std::uint32_t k = 0; k < boxes_; ++k) {
     put(0, k, box_of(k));
   }
@@ -97,8 +95,5 @@ void OverlappingPairsIn<Lanes>::build(std::size_t boxes, BoxOf box_of) {
     }
   }
 }
-
-template class OverlappingPairsIn<FloatLanes>;
-template class OverlappingPairsIn<ShortLanes>;
 
 }  // namespace gcv

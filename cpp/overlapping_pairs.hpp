@@ -17,16 +17,13 @@
 
 namespace gcv {
 
-// The numbers of the boxes in the tree are floats, or integers of 16 bits: these take less time,
-// but do not tell boxes apart that lie within 2^-16 of the extents.
-template <class Lanes>
-class OverlappingPairsIn {
+class OverlappingPairs {
  public:
-  explicit OverlappingPairsIn(std::span<const Box> boxes);
+  explicit OverlappingPairs(std::span<const Box> boxes);
 
   // The boxes of the edges of a closed ring. Most pairs of neighbours, which always overlap, are
   // passed over.
-  explicit OverlappingPairsIn(std::span<const Point> ring);
+  explicit OverlappingPairs(std::span<const Point> ring);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
   [[nodiscard]] std::uint32_t last_level() const { return levels_ - 1; }
@@ -68,22 +65,22 @@ class OverlappingPairsIn {
   }
 
  private:
-  static constexpr std::uint32_t width = Lanes::width;
+  static constexpr std::uint32_t width = FloatLanes::width;
   static constexpr std::uint32_t most_levels = 11;  // of fewer than 2^32 boxes
 
-  // Seen from one point and in a unit that brings the extents to about 1. Rounding keeps order:
-  // boxes that are apart there are apart. Where the extents overflow, all overlap.
-  using NodeBox = LaneBox<Lanes>;
+  // In floats, seen from one point and in a unit that brings the extents to about 1. Rounding keeps
+  // order: boxes that are apart there are apart. Where the extents overflow, all overlap.
+  using NodeBox = LaneBox<FloatLanes>;
   static bool overlap(const NodeBox& p, const NodeBox& q) {
     return !(p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0);
   }
 
   // The boxes of the children of a node. Those that are missing hold no point.
-  using Block = BoxBlock<Lanes, NodeBox>;
+  using Block = BoxBlock<FloatLanes, NodeBox>;
 
   template <class Visit>
   struct Search {
-    const OverlappingPairsIn& pairs;
+    const OverlappingPairs& pairs;
     std::uint64_t pairs_left;
     Visit& visit;
 
@@ -109,7 +106,7 @@ class OverlappingPairsIn {
       const Block& q = pairs.block(level, second);
       for (unsigned lanes = p.overlapping(box_of_second); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        if (!with_children(level, width * first + lane, q, p.box(lane), Lanes::all, second)) {
+        if (!with_children(level, width * first + lane, q, p.box(lane), FloatLanes::all, second)) {
           return false;
         }
       }
@@ -159,7 +156,5 @@ class OverlappingPairsIn {
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
   std::vector<Block> blocks_;
 };
-
-using OverlappingPairs = OverlappingPairsIn<FloatLanes>;
 
 }  // namespace gcv

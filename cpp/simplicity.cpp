@@ -26,8 +26,6 @@ namespace {
 
 using Edge = std::uint32_t;
 
-constexpr std::size_t many_edges = 4096;
-
 // Are the segments ab and cd of one line apart?
 bool disjoint_on_a_line(const Point& a, const Point& b, const Point& c, const Point& d) {
   const auto& [ab_min, ab_max] = std::minmax(a, b, lexicographically_less);
@@ -185,23 +183,19 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
          segments_meet(ring[e], ring[after_e], ring[f], ring[after_f], tally);
 }
 
-bool folds_back_anywhere(std::span<const Point> ring) {
+// Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
+// few others, and take a fraction of the time of the sweep. On several threads, each node of some
+// level is a part of the work: its own pairs, and those with later nodes.
+bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
+  constexpr std::uint64_t pairs_per_edge = 8;
+  constexpr std::size_t many_edges = 4096;
   Tally tally;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (folds_back(ring, i, tally)) {
-      return true;
+      return false;
     }
   }
-  return false;
-}
-
-// Do a few looks at a tree of boxes show that no two edges meet but neighbours? They do where edges
-// are near few others, and take a fraction of the time of the sweep. On several threads, each node
-// of some level is a part of the work: its own pairs, and those with later nodes.
-template <class Lanes>
-bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
-  constexpr std::uint64_t pairs_per_edge = 8;
-  const OverlappingPairsIn<Lanes> pairs(ring);
+  const OverlappingPairs pairs(ring);
   const std::uint32_t level =
       pairs.last_level() - (threads > 1 && ring.size() > many_edges ? 2 : 0);
   const std::uint32_t parts = pairs.nodes(level);
@@ -229,12 +223,7 @@ std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned thre
       })) {
     return std::nullopt;
   }
-  if (!folds_back_anywhere(ring) &&
-      ((n <= many_edges && is_soon_seen_simple<ShortLanes>(ring, threads)) ||
-       is_soon_seen_simple<FloatLanes>(ring, threads))) {
-    return std::nullopt;
-  }
-  return Sweep(ring).run();
+  return is_soon_seen_simple(ring, threads) ? std::nullopt : Sweep(ring).run();
 }
 
 bool is_counter_clockwise(std::span<const Point> ring) {
