@@ -4,8 +4,12 @@
 #include <benchmark/benchmark.h>
 #include <gcv/gcv.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
+#include <thread>
+#include <vector>
 
 #include "data.hpp"
 #include "shapes.hpp"
@@ -99,6 +103,29 @@ void bench_threads(benchmark::State& state, const Pair& pair) {
   }
 }
 
+// What so many threads gain on this machine at most: additions in registers, shared out.
+void bench_additions(benchmark::State& state) {
+  const auto threads = static_cast<std::size_t>(state.range(0));
+  for (auto _ : state) {
+    std::vector<std::jthread> workers;
+    for (std::size_t k = 0; k < threads; ++k) {
+      workers.emplace_back([share = 0x10000000 / threads] {
+        std::uint64_t a = 1;
+        std::uint64_t b = 2;
+        std::uint64_t c = 3;
+        for (std::uint64_t i = 0; i < share; ++i) {
+          a += b;
+          b += i;
+          c ^= a;
+          benchmark::DoNotOptimize(a);
+          benchmark::DoNotOptimize(b);
+          benchmark::DoNotOptimize(c);
+        }
+      });
+    }
+  }
+}
+
 void add(const std::string& name, const Pair& pair) {
   const auto with = [&](const char* part, auto* function) {
     benchmark::RegisterBenchmark((name + "/" + part).c_str(), [pair,
@@ -131,6 +158,11 @@ int main(int argc, char** argv) {
                                [pair = pair_of(100000, bench::coast)](benchmark::State& state) {
                                  bench_threads(state, pair);
                                })
+      ->Arg(1)
+      ->Arg(2)
+      ->UseRealTime()
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("additions/threads", bench_additions)
       ->Arg(1)
       ->Arg(2)
       ->UseRealTime()

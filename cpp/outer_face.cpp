@@ -271,8 +271,7 @@ class Walker {
       find_step_by_pieces(from);
       return;
     }
-    SupersetTree::Piece piece(*superset_.tree(), line_.at, operands_.relative_start(line_.edge),
-                              from, end_);
+    SupersetTree::Piece piece(*superset_.tree(), line_.at, from, end_);
     search(1, piece, [&](const auto& visit) { superset_.tree()->search(piece, visit); });
   }
 

@@ -61,20 +61,18 @@ class SupersetTree {
   // A piece of an edge, from `from` to `to` in relative coordinates, as a place to search.
   //
   // In units of the grid: a side of a box, the sum of two rounded numbers, is off by 1, an end of
-  // the piece by 1/2; `box_slack` is 2. Offsets from the line of the edge, its direction having
-  // 2^15 - 1 as its larger part, count 2^16: an offset is off by 1/2 for the direction, which is
-  // off by 1/2 in its other part only, 1 for the point, 1 for two products that were rounded down
-  // and 1 for the offset of the line; `line_slack` is 4.
+  // the piece by 1/2; `box_slack` is 2. Offsets from the line of the edge are in units of 2^16,
+  // the larger part of its direction being 2^15 - 1: an offset is off by 1/2 for the other part of
+  // the direction, which was rounded, by 1 for the point, by 1 for two products that were rounded
+  // down, and the offset of the line by 1; `line_slack` is 4.
   class Piece {
    public:
-    Piece(const SupersetTree& tree, const SumEdge& s, const Point& origin, const Point& from,
-          const Point& to)
+    Piece(const SupersetTree& tree, const SumEdge& s, const Point& from, const Point& to)
         : grid_(tree.grid_), from_(grid_.place(from)) {
       const double size = std::max(std::abs(s.dx), std::abs(s.dy));
       const int dx = CoarseGrid::rounded(s.dx / size * 0x7fff);
       const int dy = CoarseGrid::rounded(s.dy / size * 0x7fff);
-      const Point start = grid_.place(origin);
-      const auto offset = static_cast<int>((dx * start.y - dy * start.x) * 0x1p-16);
+      const auto offset = static_cast<int>((dx * from_.y - dy * from_.x) * 0x1p-16);
       dx_ = ShortLanes::of(dx);
       dy_ = ShortLanes::of(dy);
       leftmost_ = ShortLanes::of(std::min(offset + line_slack, most));

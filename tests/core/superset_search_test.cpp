@@ -122,7 +122,7 @@ TEST(SupersetTree, FindsAllEdgesThatMeetAPiece) {
     EXPECT_TRUE(grid.is_fine_enough(operands));
     return [tree = SupersetTree(operands, grid, ranked, edges.size())](
                const SumEdge& edge, const Segment& piece, auto visit) {
-      tree.search(SupersetTree::Piece(tree, edge, edge.from, piece.from, piece.to), visit);
+      tree.search(SupersetTree::Piece(tree, edge, piece.from, piece.to), visit);
     };
   });
 }
