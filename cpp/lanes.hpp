@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -251,11 +250,5 @@ struct BoxBlock {
            Numbers::all;
   }
 };
-
-// A power of two by which the extents become 1 at most, and above 1/4 unless they are next to
-// nothing; 0 where they have overflowed.
-inline double scale_to_one(double extents) {
-  return std::isfinite(extents) ? std::ldexp(1.0, -std::max(std::ilogb(extents), -1000) - 1) : 0;
-}
 
 }  // namespace gcv

@@ -12,6 +12,12 @@ Box hull_of(const Box& p, const Box& q) {
   return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
 }
 
+// A power of two by which the extents become 1 at most, and above 1/4 unless they are next to
+// nothing; 0 where they have overflowed.
+double scale_to_one(double extents) {
+  return std::isfinite(extents) ? std::ldexp(1.0, -std::max(std::ilogb(extents), -1000) - 1) : 0;
+}
+
 }  // namespace
 
 // The numbers of the tree for coordinates within some bounds.
