@@ -236,8 +236,9 @@ class Batch {
     gcv::Task task(1, options_.progress, options_.progress_context, estimate());
     task.begin();
     simplify_all(task);
-    gcv::for_each_in_parallel(faces_.size(), threads_of(options_),
-                              [&](std::size_t k) { add(k, task); });
+    gcv::for_each_in_parallel(
+        faces_.size(), threads_of(options_), [&](std::size_t k) { add(k, task); },
+        [&] { task.watch(); });
     task.finish();
     if (first_failed_ < faces_.size()) {
       static_cast<void>(gcv::capi::record(failure_));

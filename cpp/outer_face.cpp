@@ -527,9 +527,10 @@ Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally) {
   const double slack = slack_of(operands);
   const std::vector<HullVertex> starts = hull_vertices(operands.a, operands.b, task.threads());
   std::vector<Arc> arcs(starts.size());
-  for_each_in_parallel(arcs.size(), task.threads(), [&](std::size_t k) {
+  const auto walk_arc = [&](std::size_t k) {
     arcs[k] = Walker(superset, slack, task).run(starts[k], starts[(k + 1) % starts.size()]);
-  });
+  };
+  for_each_in_parallel(arcs.size(), task.threads(), walk_arc, [&] { task.watch(); });
   Walk walk = join(std::move(arcs), tally);
   walk.chains_are_repeated = superset.implicit() && superset.implicit()->has_repeated_chains();
   return walk;

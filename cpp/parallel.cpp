@@ -2,6 +2,8 @@
 #include "parallel.hpp"
 
 #include <algorithm>
+#include <chrono>
+#include <condition_variable>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -15,6 +17,7 @@ class Team {
   Team(std::size_t count, const std::function<void(std::size_t)>& work)
       : count_(count), work_(work), failed_(count) {}
 
+  // What each thread does.
   void run() noexcept {
     for (std::size_t k = next_++; k < count_; k = next_++) {
       try {
@@ -29,6 +32,25 @@ class Team {
     }
   }
 
+  // What the threads but the calling one do.
+  void run_beside() noexcept {
+    run();
+    const std::lock_guard<std::mutex> lock(mutex_);
+    ++ended_;
+    one_ended_.notify_one();
+  }
+
+  // Returns when so many of those have ended.
+  void wait(std::size_t others, const std::function<void()>& waiting) {
+    constexpr std::chrono::milliseconds interval(1);
+    std::unique_lock<std::mutex> lock(mutex_);
+    while (!one_ended_.wait_for(lock, interval, [&] { return ended_ == others; })) {
+      lock.unlock();
+      waiting();
+      lock.lock();
+    }
+  }
+
   void rethrow() const {
     if (failure_) {
       std::rethrow_exception(failure_);
@@ -40,6 +62,8 @@ class Team {
   const std::function<void(std::size_t)>& work_;
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
+  std::condition_variable one_ended_;
+  std::size_t ended_ = 0;
   std::size_t failed_;
   std::exception_ptr failure_;
 };
@@ -49,17 +73,19 @@ class Team {
 unsigned available_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 void run_on_threads(std::size_t count, unsigned threads,
-                    const std::function<void(std::size_t)>& work) {
+                    const std::function<void(std::size_t)>& work,
+                    const std::function<void()>& waiting) {
   Team team(count, work);
   std::vector<std::thread> others;
   try {
     for (std::size_t k = 1; k < std::min<std::size_t>(threads, count); ++k) {
-      others.emplace_back([&team] { team.run(); });
+      others.emplace_back([&team] { team.run_beside(); });
     }
   } catch (const std::exception&) {
     // No more threads or no more memory: those that there are do all the work as well.
   }
   team.run();
+  team.wait(others.size(), waiting);
   for (std::thread& other : others) {
     other.join();
   }

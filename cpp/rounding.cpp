@@ -162,7 +162,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   placement.places.resize(ring.size());
   boost::container::small_vector<Portion, 1> portions((ring.size() + Task::portion - 1) /
                                                       Task::portion);
-  for_each_in_parallel(portions.size(), task.threads(), [&](std::size_t number) {
+  const auto place_portion = [&](std::size_t number) {
     Portion& portion = portions[number];
     const std::size_t first = number * Task::portion;
     const std::size_t last = std::min<std::size_t>(first + Task::portion, ring.size());
@@ -173,7 +173,8 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
       portion.add(vertex);
     }
     task.advance(last - first);
-  });
+  };
+  for_each_in_parallel(portions.size(), task.threads(), place_portion, [&] { task.watch(); });
   for (const Portion& portion : portions) {
     placement.error_bound = std::max(placement.error_bound, portion.error_bound);
     tally += portion.tally;

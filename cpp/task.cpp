@@ -7,21 +7,39 @@
 
 namespace gcv {
 
+void Task::begin() {
+  tell(estimate_);
+  check();
+}
+
 void Task::advance(std::uint64_t steps) {
-  const std::uint64_t done = done_ += steps;
-  if (std::this_thread::get_id() == caller_ && done - reported_ >= portion) {
-    reported_ = done;
-    tell(estimate_);
-  } else if (cancelled_) {
+  done_ += steps;
+  if (std::this_thread::get_id() == caller_) {
+    watch();
+  }
+  check();
+}
+
+void Task::watch() {
+  if (done_ - reported_ >= portion) {
     tell(estimate_);
   }
 }
 
+void Task::finish() {
+  tell(done_);
+  check();
+}
+
 void Task::tell(std::uint64_t estimate) {
-  const std::uint64_t done = done_;
-  if (!cancelled_ && report_ != nullptr && report_(context_, done, std::max(done, estimate)) != 0) {
+  reported_ = done_;
+  if (!cancelled_ && report_ != nullptr &&
+      report_(context_, reported_, std::max(reported_, estimate)) != 0) {
     cancelled_ = true;
   }
+}
+
+void Task::check() const {
   if (cancelled_) {
     throw Error(Status::cancelled, "the caller's progress function ended the computation");
   }

@@ -16,7 +16,7 @@ class Task {
   using Report = std::int32_t (*)(void* context, std::uint64_t done, std::uint64_t estimate);
 
   // Steps are counted in portions of this size.
-  static constexpr std::uint64_t portion = 4096;
+  static constexpr std::uint64_t portion = 2048;
 
   // On one thread, without reports.
   Task() = default;
@@ -30,12 +30,16 @@ class Task {
   // found that out.
   void advance(std::uint64_t steps);
 
+  // For the calling thread while it waits for others: reports what they did.
+  void watch();
+
   // The first and the last report. Throws Error: cancelled.
-  void begin() { tell(estimate_); }
-  void finish() { tell(done_); }
+  void begin();
+  void finish();
 
  private:
   void tell(std::uint64_t estimate);
+  void check() const;
 
   unsigned threads_ = 1;
   Report report_ = nullptr;
