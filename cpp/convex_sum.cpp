@@ -15,7 +15,7 @@ Walk merge_convex(const Operands& operands) {
   Index left_of_a = a.size();
   Index left_of_b = b.size();
   Walk walk;
-  EdgeName arriving{};
+  EdgeName arriving = operands.translated(i, j);  // of the first vertex, until it is known
   walk.vertices.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
     const PairEdge translated = operands.translated(i, j);
@@ -23,7 +23,7 @@ Walk merge_convex(const Operands& operands) {
     const Rank angle = directions.angle(translated.rank, corner.rank);
     const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);
     const bool take_b = left_of_a == 0 || (left_of_b > 0 && (!take_a || angle == 0));
-    walk.vertices.push_back({true, i, j, arriving, take_a ? translated : corner});
+    walk.vertices.push_back(RingVertex::sum(i, j, arriving, take_a ? translated : corner));
     if (take_a) {
       arriving = translated;
       i = a.next(i);
@@ -35,7 +35,7 @@ Walk merge_convex(const Operands& operands) {
       --left_of_b;
     }
   }
-  walk.vertices.front().arriving = arriving;
+  walk.vertices.front().arrive_by(arriving);
   walk.steps = walk.vertices.size();
   return walk;
 }

@@ -20,8 +20,8 @@ class CoincidingEdges {
   // Of the superset edges that pass through v, or start there, and end with its leaving edge, in
   // its direction, the first by kind and indices.
   EdgeName first(const RingVertex& v) {
-    const PairEdge leaving = operands_.named(v.leaving);
-    const PairEdge arriving = operands_.named(v.arriving);
+    const PairEdge leaving = operands_.named(v.leaving());
+    const PairEdge arriving = operands_.named(v.arriving());
     const SumEdge s = coordinates(operands_.a, operands_.b, leaving);
     const SumEdge line = coordinates(operands_.a, operands_.b, arriving);
     const Directions& directions = operands_.directions;
@@ -80,7 +80,7 @@ std::vector<EdgeSource> edge_sources(const ExactRing& ring) {
     }
   } else {
     for (const RingVertex& v : ring.vertices) {
-      add(v.leaving);
+      add(v.leaving());
     }
   }
   return sources;

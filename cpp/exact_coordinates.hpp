@@ -14,31 +14,31 @@ class ExactVertex {
  public:
   ExactVertex(const ExactRing& ring, std::size_t k)
       : vertex_(ring.vertices[k]), shift_(ring.shift) {
-    if (vertex_.is_sum) {
-      sum_ = {ring.a.polygon->vertices[vertex_.i], ring.b.polygon->vertices[vertex_.j]};
+    if (vertex_.is_sum()) {
+      sum_ = {ring.a.polygon->vertices[vertex_.i()], ring.b.polygon->vertices[vertex_.j()]};
       grid_ = Grid{sum_.a, sum_.b, shift_};
     } else {
-      s_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.arriving);
-      t_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.leaving);
+      s_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.arriving());
+      t_ = coordinates(*ring.a.polygon, *ring.b.polygon, vertex_.leaving());
       grid_ = Grid{shift_};
       grid_.include(s_);
       grid_.include(t_);
     }
   }
 
-  [[nodiscard]] bool is_sum() const { return vertex_.is_sum; }
+  [[nodiscard]] bool is_sum() const { return vertex_.is_sum(); }
   [[nodiscard]] const SumPoint& sum() const { return sum_; }
   [[nodiscard]] const Grid& grid() const { return grid_; }
 
   // Bits of x, y and w of `homogeneous`.
   [[nodiscard]] int bits() const {
-    return vertex_.is_sum ? grid_.bits() + 2 : crossing_bits(grid_.bits());
+    return vertex_.is_sum() ? grid_.bits() + 2 : crossing_bits(grid_.bits());
   }
 
   // (x / w, y / w) * 2^grid().exponent(), w > 0.
   template <class Integer>
   [[nodiscard]] HomogeneousPoint<Integer> homogeneous() const {
-    if (!vertex_.is_sum) {
+    if (!vertex_.is_sum()) {
       return crossing<Integer>(grid_, s_, t_, shift_);
     }
     const auto add = [&](double p, double q, double r) {

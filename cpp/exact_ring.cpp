@@ -68,13 +68,13 @@ std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const 
 // For a crossing (x / w, y / w), the sign of d x ((x, y) - w o). With b the grid's bits the
 // second factor is below 2^(3b+7), so the result is below 2^(4b+9).
 int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
-  const SumEdge line = coordinates(*ring.a.polygon, *ring.b.polygon, ring.vertices[edge].leaving);
+  const SumEdge line = coordinates(*ring.a.polygon, *ring.b.polygon, ring.vertices[edge].leaving());
   const RingVertex& v = ring.vertices[vertex];
-  if (v.is_sum) {
-    return side(line, {ring.a.polygon->vertices[v.i], ring.b.polygon->vertices[v.j]}, tally);
+  if (v.is_sum()) {
+    return side(line, {ring.a.polygon->vertices[v.i()], ring.b.polygon->vertices[v.j()]}, tally);
   }
-  const SumEdge s = coordinates(*ring.a.polygon, *ring.b.polygon, v.arriving);
-  const SumEdge t = coordinates(*ring.a.polygon, *ring.b.polygon, v.leaving);
+  const SumEdge s = coordinates(*ring.a.polygon, *ring.b.polygon, v.arriving());
+  const SumEdge t = coordinates(*ring.a.polygon, *ring.b.polygon, v.leaving());
   if (const std::optional<int> side = side_in_doubles(line, s, t)) {
     ++tally.fixed_width;
     return *side;

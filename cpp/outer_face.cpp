@@ -141,7 +141,9 @@ class Walker {
     while (true) {
       set_out(next);
       if (turns) {
-        walk_.vertices.push_back({place_.is_sum, place_.sum.i, place_.sum.j, arriving, next});
+        walk_.vertices.push_back(place_.is_sum
+                                     ? RingVertex::sum(place_.sum.i, place_.sum.j, arriving, next)
+                                     : RingVertex::crossing(arriving, next));
       }
       count_step();
       find_step();
@@ -501,7 +503,7 @@ Walk join(std::vector<Arc> arcs, Tally& tally) {
   const EdgeName* arriving = &arcs.back().last;
   std::size_t size = 0;
   for (Arc& arc : arcs) {
-    arc.walk.vertices.front().arriving = *arriving;
+    arc.walk.vertices.front().arrive_by(*arriving);
     arriving = &arc.last;
     size += arc.walk.vertices.size();
     tally += arc.tally;

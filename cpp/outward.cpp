@@ -84,8 +84,9 @@ double lost_distance(const Grown& grown, double unit) {
   };
   for (std::size_t k = 0; k < places.size(); ++k) {
     const std::size_t next = k + 1 == places.size() ? 0 : k + 1;
-    pass(grown.ring.vertices[k].arriving.i, grown.ring.vertices[k].leaving.i, places[k], places[k]);
-    pass(grown.ring.vertices[k].leaving.i, grown.ring.vertices[next].arriving.i, places[k],
+    pass(grown.ring.vertices[k].arriving().i, grown.ring.vertices[k].leaving().i, places[k],
+         places[k]);
+    pass(grown.ring.vertices[k].leaving().i, grown.ring.vertices[next].arriving().i, places[k],
          places[next]);
   }
   return distance;

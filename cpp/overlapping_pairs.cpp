@@ -51,11 +51,12 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1
     bounds = hull_of(bounds, box);
   }
   const Frame frame(bounds);
-  build(boxes.size(), [&](std::size_t k) {
+  const auto box_of = [&](std::size_t k) {
     const auto low = frame.place(boxes[k].x0, boxes[k].y0);
     const auto high = frame.place(boxes[k].x1, boxes[k].y1);
     return NodeBox{low.x, low.y, high.x, high.y};
-  });
+  };
+  build(boxes.size(), box_of, [](std::size_t) { return Ways{0}; });
 }
 
 OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
@@ -64,18 +65,29 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~
     bounds = hull_of(bounds, box_of(p, p));
   }
   const Frame frame(bounds);
+  const auto end = [&](std::size_t k) { return ring[k + 1 == ring.size() ? 0 : k + 1]; };
   auto to = frame.place(ring[0].x, ring[0].y);
-  build(ring.size(), [&](std::size_t k) {
+  const auto box_of_edge = [&](std::size_t k) {
     const auto from = to;
-    const Point& next = ring[k + 1 == ring.size() ? 0 : k + 1];
+    const Point next = end(k);
     to = frame.place(next.x, next.y);
     return NodeBox{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
                    std::max(from.y, to.y)};
+  };
+  build(ring.size(), box_of_edge, [&](std::size_t k) {
+    const Point& p = ring[k];
+    const Point q = end(k);
+    if (p == q) {
+      return Ways{0};
+    }
+    const bool by_x = lexicographically_less(p, q);
+    const bool by_y = p.y < q.y || (p.y == q.y && p.x < q.x);
+    return static_cast<Ways>((by_x ? 1U : 2U) | (by_y ? 4U : 8U));
   });
 }
 
-template <class BoxOf>
-void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
+template <class BoxOf, class WaysOf>
+void OverlappingPairs::build(std::size_t boxes, BoxOf box_of, WaysOf ways_of) {
   boxes_ = static_cast<std::uint32_t>(boxes);
   first_block_[0] = 0;
   std::uint32_t count = boxes_;
@@ -85,19 +97,25 @@ void OverlappingPairs::build(std::size_t boxes, BoxOf box_of) {
     ++levels_;
   } while (count > 1);
   blocks_.resize(first_block_[levels_]);
+  ways_.assign(blocks_.size(), all_ways);
 
   constexpr NodeBox nothing{FloatLanes::highest, FloatLanes::highest, FloatLanes::lowest,
                             FloatLanes::lowest};
   for (std::uint32_t k = 0; k < boxes_; ++k) {
     put(0, k, box_of(k));
+    ways_[k / width] &= ways_of(k);
   }
   for (std::uint32_t k = boxes_; k % width != 0; ++k) {
     put(0, k, nothing);
   }
   for (std::uint32_t level = 1; level < levels_; ++level) {
     const std::uint32_t below = nodes(level - 1);
-    for (std::uint32_t node = 0; node < below || node % width != 0; ++node) {
-      put(level, node, node < below ? block(level - 1, node).hull() : nothing);
+    for (std::uint32_t node = 0; node < below; ++node) {
+      put(level, node, block(level - 1, node).hull());
+      ways_[first_block_[level] + node / width] &= ways(level - 1, node);
+    }
+    for (std::uint32_t node = below; node % width != 0; ++node) {
+      put(level, node, nothing);
     }
   }
 }

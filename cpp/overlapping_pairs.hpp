@@ -22,7 +22,8 @@ class OverlappingPairs {
   explicit OverlappingPairs(std::span<const Box> boxes);
 
   // The boxes of the edges of a closed ring. Most pairs of neighbours, which always overlap, are
-  // passed over.
+  // passed over, and most pairs of a chain whose points are in lexicographic order, of which no
+  // two edges meet but in the vertex of neighbours.
   explicit OverlappingPairs(std::span<const Point> ring);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
@@ -86,6 +87,9 @@ class OverlappingPairs {
 
     // The pairs inside a node.
     bool within(std::uint32_t level, std::uint32_t node) {
+      if (pairs.ways(level, node) != 0) {
+        return true;
+      }
       const Block& block = pairs.block(level, node);
       const std::uint32_t children = pairs.children(level, node);
       const unsigned after_first = level == 0 ? pairs.after_first_ : ~1U;
@@ -119,6 +123,10 @@ class OverlappingPairs {
       for (lanes &= block.overlapping(box_of_child); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
         const std::uint32_t other = width * node + lane;
+        if (level > 0 && other == child + 1 &&
+            (pairs.ways(level - 1, child) & pairs.ways(level - 1, other)) != 0) {
+          continue;
+        }
         if (pairs_left-- == 0 ||
             !(level == 0 ? visit(child, other)
                          : between(level - 1, child, other, block.box(lane)))) {
@@ -131,13 +139,21 @@ class OverlappingPairs {
 
   class Frame;
 
+  // The ways that all edges of a chain go, as bits: forwards or backwards in lexicographic order,
+  // by x first or by y first.
+  using Ways = std::uint8_t;
+  static constexpr Ways all_ways = 15;
+
   // Of so many boxes, given by box_of(k) in turn, as boxes of the tree.
-  template <class BoxOf>
-  void build(std::size_t boxes, BoxOf box_of);
+  template <class BoxOf, class WaysOf>
+  void build(std::size_t boxes, BoxOf box_of, WaysOf ways_of);
   void put(std::uint32_t level, std::uint32_t node, const NodeBox& box) {
     blocks_[first_block_[level] + node / width].put(node % width, box);
   }
 
+  [[nodiscard]] Ways ways(std::uint32_t level, std::uint32_t node) const {
+    return ways_[first_block_[level] + node];
+  }
   [[nodiscard]] const Block& block(std::uint32_t level, std::uint32_t node) const {
     return blocks_[first_block_[level] + node];
   }
@@ -155,6 +171,7 @@ class OverlappingPairs {
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
   std::vector<Block> blocks_;
+  std::vector<Ways> ways_;  // of each block
 };
 
 }  // namespace gcv

@@ -28,9 +28,9 @@ namespace {
   const Polygon& b = *ring.b.polygon;
   const RingVertex& v = ring.vertices[k];
   const std::optional<RoundedVertex> in_doubles =
-      v.is_sum ? rounded_sum({a.vertices[v.i], b.vertices[v.j]}, ring.shift)
-               : rounded_crossing(coordinates(a, b, v.arriving), coordinates(a, b, v.leaving),
-                                  ring.shift);
+      v.is_sum() ? rounded_sum({a.vertices[v.i()], b.vertices[v.j()]}, ring.shift)
+                 : rounded_crossing(coordinates(a, b, v.arriving()), coordinates(a, b, v.leaving()),
+                                    ring.shift);
   if (in_doubles) {
     ++tally.filtered;
     return *in_doubles;
@@ -45,12 +45,12 @@ namespace {
 
 RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
   const RingVertex& v = ring.vertices[k];
-  if (!v.is_sum || !(ring.shift == Point{0, 0})) {
+  if (!v.is_sum() || !(ring.shift == Point{0, 0})) {
     return rounded_point(ring, k, tally);
   }
   ++tally.filtered;
-  const Point& p = ring.a.polygon->vertices[v.i];
-  const Point& q = ring.b.polygon->vertices[v.j];
+  const Point& p = ring.a.polygon->vertices[v.i()];
+  const Point& q = ring.b.polygon->vertices[v.j()];
   return {rounded_sum(p.x, q.x), rounded_sum(p.y, q.y)};
 }
 
@@ -76,13 +76,13 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
   }
   // A crossing is named by the edge that it lies on.
   const RingVertex& v = ring.vertices[k];
-  const Index i = v.is_sum ? v.i : v.leaving.i;
-  const Index j = v.is_sum ? v.j : v.leaving.j;
+  const Index i = v.is_sum() ? v.i() : v.leaving().i;
+  const Index j = v.is_sum() ? v.j() : v.leaving().j;
   throw Error(
       Status::range,
       "the %s coordinate of vertex %zu of the outer face, %s vertex %u of %s + vertex %u of "
       "%s, is beyond the largest double",
-      x_is_finite ? "y" : "x", k, v.is_sum ? "the sum" : "on an edge from the sum",
+      x_is_finite ? "y" : "x", k, v.is_sum() ? "the sum" : "on an edge from the sum",
       ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
 }
 

@@ -198,18 +198,18 @@ TEST(RepeatedChains, EdgesAreNumberedByWhatTheyAre) {
 // The first, by kind and indices, of the superset edges that pass through a vertex of the ring, or
 // start there, and end with its leaving edge, in its direction.
 PairEdge first_coinciding(const Operands& operands, const RingVertex& v) {
-  const SumEdge arriving = coordinates(operands.a, operands.b, v.arriving);
+  const SumEdge arriving = coordinates(operands.a, operands.b, v.arriving());
   const auto line_side = [&](const SumPoint& p) {
     Tally tally;
     return side(arriving, p, tally);
   };
-  const int ahead = line_side(operands.end(v.leaving));
+  const int ahead = line_side(operands.end(v.leaving()));
   const auto end = [&](const PairEdge& e) {
     const EdgeInFractions fractions = in_fractions(operands, e);
     return std::pair(std::get<2>(fractions), std::get<3>(fractions));
   };
   const auto key = [](const PairEdge& e) { return std::tuple(e.kind, e.i, e.j); };
-  PairEdge first = operands.named(v.leaving);
+  PairEdge first = operands.named(v.leaving());
   const auto consider = [&](const PairEdge& e) {
     if (e.rank == first.rank && key(e) < key(first) && end(e) == end(first) &&
         line_side(operands.start(e)) != ahead) {

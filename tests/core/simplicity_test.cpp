@@ -98,6 +98,54 @@ TEST(Simplicity, AgreesWithAllPairsOnRandomRings) {
   EXPECT_GT(not_simple, 1000);
 }
 
+// A closed walk on a small grid, with long chains to the left, to the right, up and down.
+Ring random_chains(Random& random) {
+  Ring ring{{0, 0}};
+  for (int chains = test::uniform(random, 2, 6); chains > 0; --chains) {
+    const bool by_x = test::uniform(random, 0, 1) == 0;
+    const int sign = test::uniform(random, 0, 1) == 0 ? 1 : -1;
+    for (int edges = test::uniform(random, 1, 40); edges > 0; --edges) {
+      const int along = sign * test::uniform(random, 0, 2);
+      const int across = test::uniform(random, -2, 2);
+      const Point& p = ring.back();
+      const Point q{p.x + (by_x ? along : across), p.y + (by_x ? across : along)};
+      if (!(q == p)) {
+        ring.push_back(q);
+      }
+    }
+  }
+  while (ring.size() > 1 && ring.back() == ring.front()) {
+    ring.pop_back();
+  }
+  return ring;
+}
+
+TEST(Simplicity, FindsAllConflictsOfLongChains) {
+  Random random(12);
+  std::size_t conflicts = 0;
+  for (int k = 0; k < 3000; ++k) {
+    const Ring ring = random_chains(random);
+    if (ring.size() < 4) {
+      continue;
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> expected;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      for (std::size_t j = i + 1; j < ring.size(); ++j) {
+        if (conflicting(ring, i, j)) {
+          expected.emplace_back(i, j);
+        }
+      }
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> found;
+    for (const Conflict& conflict : find_all_conflicts(ring)) {
+      found.emplace_back(conflict.first, conflict.second);
+    }
+    ASSERT_EQ(found, expected);
+    conflicts += found.size();
+  }
+  EXPECT_GT(conflicts, 50000U);
+}
+
 TEST(Simplicity, AgreesWithCgal) {
   Random random(12);
   for (int k = 0; k < 3000; ++k) {
