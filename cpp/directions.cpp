@@ -1,21 +1,35 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "directions.hpp"
 
+#include "direction_key.hpp"
+
 namespace gcv {
 
 namespace {
 
 // A line direction, at an angle in [0, pi), as that from one point to another.
 struct LineDirection {
-  const Point* from;
-  const Point* to;
+  const Point& from;
+  const Point& to;
 };
 
 LineDirection line_direction(const Polygon& polygon, Index line) {
   const Index i = polygon.edge_of_line[line];
-  const Point* const start = &polygon.vertices[i];
-  const Point* const end = &polygon.vertices[polygon.next(i)];
+  const Point& start = polygon.vertices[i];
+  const Point& end = polygon.vertices[polygon.next(i)];
   return polygon.upper[i] != 0 ? LineDirection{start, end} : LineDirection{end, start};
+}
+
+// 1 where line direction la of A comes before lb of B, -1 where it comes after it, 0 where they are
+// the same.
+int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally& tally) {
+  if (const int order = compare_keys(a.key_of_line[la], b.key_of_line[lb])) {
+    ++tally.filtered;
+    return order;
+  }
+  const LineDirection of_a = line_direction(a, la);
+  const LineDirection of_b = line_direction(b, lb);
+  return turn(of_a.from, of_a.to, of_b.from, of_b.to, tally);
 }
 
 Ranks ranks_of(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
@@ -38,23 +52,13 @@ Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
   Rank rank = 0;
   Index la = 0;
   Index lb = 0;
-  LineDirection of_a = line_direction(a, 0);
-  LineDirection of_b = line_direction(b, 0);
   for (; la < lines_a || lb < lines_b; ++rank) {
-    const int order = la == lines_a   ? -1
-                      : lb == lines_b ? 1
-                                      : turn(*of_a.from, *of_a.to, *of_b.from, *of_b.to, tally);
+    const int order = la == lines_a ? -1 : lb == lines_b ? 1 : compare_lines(a, la, b, lb, tally);
     if (order >= 0) {
       rank_of_line_a[la++] = rank;
-      if (la < lines_a) {
-        of_a = line_direction(a, la);
-      }
     }
     if (order <= 0) {
       rank_of_line_b[lb++] = rank;
-      if (lb < lines_b) {
-        of_b = line_direction(b, lb);
-      }
     }
   }
   return {rank, ranks_of(a, rank_of_line_a, rank), ranks_of(b, rank_of_line_b, rank)};

@@ -45,20 +45,26 @@ Index furthest(const Polygon& polygon, const Point& d) {
   const Box& box = polygon.bounds;
   const double size = std::abs(d.x) * std::max(std::abs(box.x0), std::abs(box.x1)) +
                       std::abs(d.y) * std::max(std::abs(box.y0), std::abs(box.y1));
+  const double tolerance = 4 * std::numeric_limits<double>::epsilon() * size;
   double most = along(polygon.vertices.front());
-  for (const Point& p : polygon.vertices) {
-    most = std::max(most, along(p));
+  std::vector<Index> furthest_so_far;
+  for (Index i = 0; i < polygon.size(); ++i) {
+    const double distance = along(polygon.vertices[i]);
+    if (distance < most - tolerance || polygon.convex[i] == 0) {
+      continue;
+    }
+    if (distance > most + tolerance) {
+      furthest_so_far.clear();
+    }
+    furthest_so_far.push_back(i);
+    most = std::max(most, distance);
   }
-  const double least = most - 4 * std::numeric_limits<double>::epsilon() * size;
   const Point origin{0, 0};
   const Point quarter_turn{-d.y, d.x};
   Tally tally;
   Index best = polygon.lexicographic_min;
-  for (Index i = 0; i < polygon.size(); ++i) {
+  for (const Index i : furthest_so_far) {
     const Point& q = polygon.vertices[i];
-    if (along(q) < least || polygon.convex[i] == 0) {
-      continue;
-    }
     const Point& p = polygon.vertices[best];
     // With v = q - p: v x quarter_turn = <v, d>, and -v x d = <v, quarter_turn>.
     const int order = turn(p, q, origin, quarter_turn, tally);

@@ -86,18 +86,9 @@ struct Arc {
 class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
-    const RankedEdges ranked(operands.directions);
-    const std::uint64_t size = count_superset(operands, ranked);
-    const CoarseGrid grid(operands);
-    const bool is_small = size <= SupersetTree::most_edges && grid.is_fine_enough(operands);
-    RepeatedChains chains;
-    if (!is_small || chains_can_prevail(operands)) {
-      chains = find_repeated_chains(operands);
-    }
-    if (is_small && !chains.prevail) {
-      tree_.emplace(operands, grid, ranked, size);
-    } else {
-      implicit_.emplace(operands, std::move(chains));
+    make_tree();
+    if (!tree_) {
+      implicit_.emplace(operands, find_repeated_chains(operands));
     }
   }
 
@@ -106,6 +97,24 @@ class Superset {
   [[nodiscard]] const std::optional<ImplicitSuperset>& implicit() const { return implicit_; }
 
  private:
+  void make_tree() {
+    // To every edge a vertex contributes.
+    if (std::uint64_t{operands_.a.size()} + operands_.b.size() > SupersetTree::most_edges) {
+      return;
+    }
+    const CoarseGrid grid(operands_);
+    if (!grid.is_fine_enough(operands_)) {
+      return;
+    }
+    const RankedEdges ranked(operands_.directions);
+    const std::uint64_t size = count_superset(operands_, ranked);
+    if (size > SupersetTree::most_edges ||
+        (chains_can_prevail(operands_) && find_repeated_chains(operands_).prevail)) {
+      return;
+    }
+    tree_.emplace(operands_, grid, ranked, size);
+  }
+
   const Operands& operands_;
   std::optional<SupersetTree> tree_;
   std::optional<ImplicitSuperset> implicit_;

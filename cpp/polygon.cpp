@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
+#include "direction_key.hpp"
 #include "error.hpp"
 #include "predicates.hpp"
 #include "simplicity.hpp"
@@ -130,20 +130,6 @@ void take_corners(const Chain& chain, Polygon& polygon) {
   } while (i != first);
 }
 
-// dx / (|dx| + |dy|), which falls as the angle of (dx, dy) grows from 0 to half a turn, for the
-// direction from p to q. With u = 2^-53: each coordinate was rounded once, by u of itself at
-// most, for differences of doubles do not underflow. That moves the exact quotient f by
-// 2u |f| (1 - |f|) <= u / 2, and the sum and the quotient add u |f| <= u each; where the
-// quotient underflows, 2^-1075. So a key is off by less than 3u, a difference of two keys,
-// rounded by 2u, by less than 8u; key_tolerance is 16u. Keys that are further apart than
-// that are in the exact order of their angles. What a quarter of a direction that overflows
-// loses to underflow is nothing beside it.
-double direction_key(const Point& p, const Point& q) {
-  const Point d = direction(p, q);
-  return d.x / (std::abs(d.x) + std::abs(d.y));
-}
-constexpr double key_tolerance = 8 * std::numeric_limits<double>::epsilon();
-
 struct KeyedEdge {
   double key;
   Index edge;
@@ -178,9 +164,8 @@ class LineSorter {
  private:
   // 1 where e comes before f, 0 where they are parallel.
   int compare(const KeyedEdge& e, const KeyedEdge& f) {
-    const double difference = e.key - f.key;
-    if (std::abs(difference) > key_tolerance) {
-      return difference > 0 ? 1 : -1;
+    if (const int order = compare_keys(e.key, f.key)) {
+      return order;
     }
     const int sense = polygon_.upper[e.edge] == polygon_.upper[f.edge] ? 1 : -1;
     return sense * turn(polygon_.vertices[e.edge], polygon_.vertices[polygon_.next(e.edge)],
@@ -211,6 +196,8 @@ class LineSorter {
     polygon_.line_of_edge.resize(edges_.size());
     polygon_.edge_of_line.clear();
     polygon_.edge_of_line.reserve(edges_.size());
+    polygon_.key_of_line.clear();
+    polygon_.key_of_line.reserve(edges_.size());
     for (std::size_t k = 0; k < edges_.size(); ++k) {
       const int order = k == 0 ? 1 : compare(edges_[k - 1], edges_[k]);
       if (order < 0) {
@@ -218,6 +205,7 @@ class LineSorter {
       }
       if (order > 0) {
         polygon_.edge_of_line.push_back(edges_[k].edge);
+        polygon_.key_of_line.push_back(edges_[k].key);
       }
       polygon_.line_of_edge[edges_[k].edge] = static_cast<Index>(polygon_.edge_of_line.size() - 1);
     }

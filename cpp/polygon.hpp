@@ -44,6 +44,7 @@ struct Polygon {
   std::vector<Index> line_of_edge;
   std::vector<std::uint8_t> upper;
   std::vector<Index> edge_of_line;  // one edge with that line direction
+  std::vector<double> key_of_line;  // that of direction_key.hpp
 
   Box bounds{};
   Index lexicographic_min = 0;
