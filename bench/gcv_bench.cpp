@@ -103,25 +103,15 @@ void bench_threads(benchmark::State& state, const Pair& pair) {
   }
 }
 
-// What so many threads gain on this machine at most: additions in registers, shared out.
-void bench_additions(benchmark::State& state) {
-  const auto threads = static_cast<std::size_t>(state.range(0));
+// As many sums at once, each on a thread of its own: where two take longer than one, so much is the
+// machine's, and not to be had by sharing one sum out.
+void bench_copies(benchmark::State& state, const Pair& pair) {
+  const PolygonHandle a = create(pair.a);
+  const PolygonHandle b = create(pair.b);
   for (auto _ : state) {
-    std::vector<std::jthread> workers;
-    for (std::size_t k = 0; k < threads; ++k) {
-      workers.emplace_back([share = 0x10000000 / threads] {
-        std::uint64_t a = 1;
-        std::uint64_t b = 2;
-        std::uint64_t c = 3;
-        for (std::uint64_t i = 0; i < share; ++i) {
-          a += b;
-          b += i;
-          c ^= a;
-          benchmark::DoNotOptimize(a);
-          benchmark::DoNotOptimize(b);
-          benchmark::DoNotOptimize(c);
-        }
-      });
+    std::vector<std::jthread> copies;
+    for (std::int64_t k = 0; k < state.range(0); ++k) {
+      copies.emplace_back([&] { benchmark::DoNotOptimize(sum(a, b)); });
     }
   }
 }
@@ -154,19 +144,17 @@ int main(int argc, char** argv) {
   add("combs_9", {bench::comb(9), bench::quarter_turned(bench::comb(9))});
   add("coasts_100", pair_of(100, bench::coast));
   add("coasts_10000", pair_of(10000, bench::coast));
-  benchmark::RegisterBenchmark("coasts_100000/threads",
-                               [pair = pair_of(100000, bench::coast)](benchmark::State& state) {
-                                 bench_threads(state, pair);
-                               })
-      ->Arg(1)
-      ->Arg(2)
-      ->UseRealTime()
-      ->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("additions/threads", bench_additions)
-      ->Arg(1)
-      ->Arg(2)
-      ->UseRealTime()
-      ->Unit(benchmark::kMillisecond);
+  const Pair coasts = pair_of(100000, bench::coast);
+  const auto add_one_and_two = [&](const char* name, auto* function) {
+    benchmark::RegisterBenchmark(
+        name, [coasts, function](benchmark::State& state) { function(state, coasts); })
+        ->Arg(1)
+        ->Arg(2)
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add_one_and_two("coasts_100000/threads", bench_threads);
+  add_one_and_two("coasts_100000/copies", bench_copies);
   benchmark::Initialize(&argc, argv);
   benchmark::RunSpecifiedBenchmarks();
 }
