@@ -6,32 +6,32 @@
 
 namespace gcv {
 
-Walk merge_convex(const Operands& operands) {
-  const Polygon& a = operands.a;
-  const Polygon& b = operands.b;
-  const Directions& directions = operands.directions;
+Walk merge_convex(const Polygon& a, const Polygon& b, Tally& tally) {
   Index i = a.lexicographic_min;
   Index j = b.lexicographic_min;
   Index left_of_a = a.size();
   Index left_of_b = b.size();
   Walk walk;
-  EdgeName arriving = operands.translated(i, j);  // of the first vertex, until it is known
+  EdgeName arriving{EdgeName::translated, i, j};  // of the first vertex, until it is known
   walk.vertices.reserve(left_of_a + left_of_b);
   while (left_of_a + left_of_b > 0) {
-    const PairEdge translated = operands.translated(i, j);
-    const PairEdge corner = operands.corner(i, j);
-    const Rank angle = directions.angle(translated.rank, corner.rank);
-    const bool take_a = left_of_b == 0 || (left_of_a > 0 && angle < directions.half_turn);
-    const bool take_b = left_of_a == 0 || (left_of_b > 0 && (!take_a || angle == 0));
-    walk.vertices.push_back(RingVertex::sum(i, j, arriving, take_a ? translated : corner));
-    if (take_a) {
+    const Index next_i = a.next(i);
+    const Index next_j = b.next(j);
+    const int order = left_of_b == 0   ? 1
+                      : left_of_a == 0 ? -1
+                                       : turn(a.vertices[i], a.vertices[next_i], b.vertices[j],
+                                              b.vertices[next_j], tally);
+    const EdgeName translated{EdgeName::translated, i, j};
+    const EdgeName corner{EdgeName::corner, i, j};
+    walk.vertices.push_back(RingVertex::sum(i, j, arriving, order >= 0 ? translated : corner));
+    if (order >= 0) {
       arriving = translated;
-      i = a.next(i);
+      i = next_i;
       --left_of_a;
     }
-    if (take_b) {
-      arriving = operands.corner(i, j);  // of the next vertex of A where both are taken
-      j = b.next(j);
+    if (order <= 0) {
+      arriving = {EdgeName::corner, i, j};  // of the next vertex of A where both are taken
+      j = next_j;
       --left_of_b;
     }
   }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The outer face of the sum of two convex polygons: no search, no arithmetic.
+// The outer face of the sum of two convex polygons, without a search.
 #pragma once
 
-#include "contributing_vertices.hpp"
 #include "outer_face.hpp"
+#include "polygon.hpp"
+#include "predicates.hpp"
 
 namespace gcv {
 
 // The edges of both polygons, in the order of their directions; parallel ones together.
-// Both polygons must be convex. O(n + m).
-Walk merge_convex(const Operands& operands);
+// Both polygons must be convex. O(n + m) exact comparisons.
+Walk merge_convex(const Polygon& a, const Polygon& b, Tally& tally);
 
 }  // namespace gcv

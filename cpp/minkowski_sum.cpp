@@ -46,8 +46,7 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   }
   OuterFace face;
   Tally& tally = face.counts.predicates;
-  const Operands operands{pa, pb, merge_directions(pa, pb, tally)};
-  Walk walk = walk_outer_face(operands, task, tally);
+  Walk walk = walk_outer_face(pa, pb, task, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
   face.exact = {a, b, shift, std::move(walk.vertices), walk.chains_are_repeated};

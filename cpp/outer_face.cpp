@@ -530,13 +530,14 @@ Walk join(std::vector<Arc> arcs, Tally& tally) {
 
 }  // namespace
 
-Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally) {
-  if (operands.a.is_convex && operands.b.is_convex) {
-    return merge_convex(operands);
+Walk walk_outer_face(const Polygon& a, const Polygon& b, Task& task, Tally& tally) {
+  if (a.is_convex && b.is_convex) {
+    return merge_convex(a, b, tally);
   }
+  const Operands operands{a, b, merge_directions(a, b, tally)};
   const Superset superset(operands);
   const double slack = slack_of(operands);
-  const std::vector<HullVertex> starts = hull_vertices(operands.a, operands.b, task.threads());
+  const std::vector<HullVertex> starts = hull_vertices(a, b, task.threads());
   std::vector<Arc> arcs(starts.size());
   const auto walk_arc = [&](std::size_t k) {
     arcs[k] = Walker(superset, slack, task).run(starts[k], starts[(k + 1) % starts.size()]);

@@ -71,6 +71,6 @@ struct Walk {
   bool chains_are_repeated = false;
 };
 
-Walk walk_outer_face(const Operands& operands, Task& task, Tally& tally);
+Walk walk_outer_face(const Polygon& a, const Polygon& b, Task& task, Tally& tally);
 
 }  // namespace gcv

@@ -20,7 +20,6 @@
 #include <optional>
 #include <utility>
 
-#include "contributing_vertices.hpp"
 #include "error.hpp"
 #include "outer_face.hpp"
 
@@ -36,8 +35,7 @@ struct Grown {
 Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, Tally& tally) {
   const std::vector<Point> square{{-d, -d}, {d, -d}, {d, d}, {-d, d}};
   const auto growth = std::make_shared<const Polygon>(make_polygon(square, "square"));
-  const Operands operands{*polygon, *growth, merge_directions(*polygon, *growth, tally)};
-  Walk walk = walk_outer_face(operands, task, tally);
+  Walk walk = walk_outer_face(*polygon, *growth, task, tally);
   Grown grown{
       {{polygon, "the rounded ring"}, {growth, "the square"}, {0, 0}, std::move(walk.vertices)},
       {}};

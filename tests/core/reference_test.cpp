@@ -24,9 +24,8 @@ using test::Ring;
 
 reference::FractionRing walked(const Polygon& a, const Polygon& b) {
   Tally tally;
-  const Operands operands{a, b, merge_directions(a, b, tally)};
   Task task;
-  Walk walk = walk_outer_face(operands, task, tally);
+  Walk walk = walk_outer_face(a, b, task, tally);
   const ExactRing ring{{std::make_shared<Polygon>(a), "a"},
                        {std::make_shared<Polygon>(b), "b"},
                        {0, 0},
