@@ -86,9 +86,23 @@ struct Arc {
 class Superset {
  public:
   explicit Superset(const Operands& operands) : operands_(operands) {
-    make_tree();
-    if (!tree_) {
-      implicit_.emplace(operands, find_repeated_chains(operands));
+    const CoarseGrid grid(operands);
+    std::optional<RankedEdges> ranked;
+    // At least: a vertex contributes to every edge.
+    std::uint64_t size = std::uint64_t{operands.a.size()} + operands.b.size();
+    if (size <= SupersetTree::most_edges && grid.is_fine_enough(operands)) {
+      ranked.emplace(operands.directions);
+      size = count_superset(operands, *ranked);
+    }
+    const bool is_small = ranked && size <= SupersetTree::most_edges;
+    RepeatedChains chains;
+    if (!is_small || chains_can_prevail(operands)) {
+      chains = find_repeated_chains(operands);
+    }
+    if (is_small && !chains.prevail) {
+      tree_.emplace(operands, grid, *ranked, size);
+    } else {
+      implicit_.emplace(operands, std::move(chains));
     }
   }
 
@@ -97,24 +111,6 @@ class Superset {
   [[nodiscard]] const std::optional<ImplicitSuperset>& implicit() const { return implicit_; }
 
  private:
-  void make_tree() {
-    // To every edge a vertex contributes.
-    if (std::uint64_t{operands_.a.size()} + operands_.b.size() > SupersetTree::most_edges) {
-      return;
-    }
-    const CoarseGrid grid(operands_);
-    if (!grid.is_fine_enough(operands_)) {
-      return;
-    }
-    const RankedEdges ranked(operands_.directions);
-    const std::uint64_t size = count_superset(operands_, ranked);
-    if (size > SupersetTree::most_edges ||
-        (chains_can_prevail(operands_) && find_repeated_chains(operands_).prevail)) {
-      return;
-    }
-    tree_.emplace(operands_, grid, ranked, size);
-  }
-
   const Operands& operands_;
   std::optional<SupersetTree> tree_;
   std::optional<ImplicitSuperset> implicit_;

@@ -25,8 +25,8 @@ bool comes_true(const std::atomic<bool>& flag) {
   return flag;
 }
 
-// Two pieces of work. The other thread takes one, and the calling thread gives it the time for
-// that; the other's ends when `told` says so.
+// Two pieces of work. The other thread takes at least one, and calls other(); the calling thread
+// gives it the time for that.
 template <class Other, class Waiting>
 void share_two(const Other& other, const Waiting& waiting) {
   const std::thread::id caller = std::this_thread::get_id();
