@@ -50,9 +50,9 @@ class LocalSuperset::Band {
     const DoubleLanes lowest = smaller(from, to) - length_ * DoubleLanes::load(capsules.radius);
     lowest.store(look.lowest);
     lowest.store(look.highest);  // which no band asks for
-    look.lanes = block.boxes.overlapping({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
-                                          box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
-                 ~(lowest > leftmost_ - other.offsets.lowest).bits();
+    const DoubleMask beyond = block.boxes.apart({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                                 box_.x1 - other.box.x0, box_.y1 - other.box.y0});
+    look.lanes = ~(beyond | (lowest > leftmost_ - other.offsets.lowest)).bits() & DoubleLanes::all;
   }
 
  private:

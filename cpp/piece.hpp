@@ -19,9 +19,10 @@ namespace gcv {
 //
 // With u times the extents of both polygons, uE, as the unit: a box side is off by 2, an end
 // of the piece by 5. Of the offset from the line of s, times |dx| + |dy|: a capsule is off by 24,
-// `origin` by 2, and the products and sums of all add 20.
-// `slack` is 64. The smallest normal double covers underflow. Where anything overflows,
-// nothing is dropped.
+// `origin` by 2, and the products and sums of all add 20. `slack` is 64. Of the offset from a side
+// of the sum of two capsules, likewise: they are off by 24, an end of the piece, seen from a corner
+// of them, by 10, and the products and sums of all add 20. `margin` is 128. The smallest normal
+// double covers underflow. Where anything overflows, nothing is dropped.
 class Piece {
  public:
   Piece(const SumEdge& s, const Point& origin, const Point& from, const Point& to, double slack)
@@ -62,19 +63,15 @@ class Piece {
     const DoubleLanes highest = larger(from, to) + radius;
     lowest.store(look.lowest);
     highest.store(look.highest);
-    const unsigned apart = ((highest < offset_ - tolerance_ - other.offsets.highest) |
-                            (lowest > offset_ + tolerance_ - other.offsets.lowest))
-                               .bits();
-    look.lanes = block.boxes.overlapping({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
-                                          box_.x1 - other.box.x0, box_.y1 - other.box.y0}) &
-                 ~apart;
-    if (look.lanes != 0) {
-      look.lanes &= ~(apart_along_chains(capsules, other) | apart_along(capsules, other)).bits();
-    }
+    const DoubleMask off_line = (highest < offset_ - tolerance_ - other.offsets.highest) |
+                                (lowest > offset_ + tolerance_ - other.offsets.lowest);
+    const DoubleMask beyond = block.boxes.apart({box_.x0 - other.box.x1, box_.y0 - other.box.y1,
+                                                 box_.x1 - other.box.x0, box_.y1 - other.box.y0});
+    look.lanes = ~(off_line | beyond | beside(capsules, other)).bits() & DoubleLanes::all;
   }
 
  private:
-  // Twice the slack; infinite where the offset of a point from a chain can overflow.
+  // Twice the slack; infinite where the offset of a point from a side can overflow.
   static double margin(double slack) {
     const double extents = 0x1p48 * slack;
     return extents * extents <= std::numeric_limits<double>::max()
@@ -82,45 +79,34 @@ class Piece {
                : std::numeric_limits<double>::infinity();
   }
 
-  // DoubleLanes whose sums with the other node lie beside the piece, seen along their chains.
-  [[nodiscard]] DoubleMask apart_along_chains(const CapsuleBlock& capsules,
-                                              const ImplicitSuperset::Node& other) const {
-    const DoubleLanes x = DoubleLanes::load(capsules.x0);
-    const DoubleLanes y = DoubleLanes::load(capsules.y0);
-    const DoubleLanes dx = DoubleLanes::load(capsules.x1) - x;
-    const DoubleLanes dy = DoubleLanes::load(capsules.y1) - y;
-    const auto offset = [&](const Point& p) { return p.y * dx - p.x * dy; };
-    const DoubleLanes chain = dx * y - dy * x;
-    const DoubleLanes first = offset(other.from);
-    const DoubleLanes second = offset(other.to);
-    const DoubleLanes begin = offset(from_) - chain;
-    const DoubleLanes end = offset(to_) - chain;
-    const DoubleLanes reach = (DoubleLanes::load(capsules.radius) + (other.radius + margin_)) *
-                                  (magnitude(dx) + magnitude(dy)) +
-                              std::numeric_limits<double>::min();
-    return (larger(first, second) + reach < smaller(begin, end)) |
-           (smaller(first, second) - reach > larger(begin, end));
-  }
-
-  // The same, seen along the chain of the other node.
-  [[nodiscard]] DoubleMask apart_along(const CapsuleBlock& capsules,
-                                       const ImplicitSuperset::Node& other) const {
-    const double dx = other.to.x - other.from.x;
-    const double dy = other.to.y - other.from.y;
-    const auto offset = [&](const Point& p) { return dx * p.y - dy * p.x; };
-    const double chain = offset(other.from);
-    const double begin = offset(from_) - chain;
-    const double end = offset(to_) - chain;
-    const DoubleLanes first =
-        dx * DoubleLanes::load(capsules.y0) - dy * DoubleLanes::load(capsules.x0);
-    const DoubleLanes second =
-        dx * DoubleLanes::load(capsules.y1) - dy * DoubleLanes::load(capsules.x1);
-    const double size = std::abs(dx) + std::abs(dy);
-    const DoubleLanes reach =
-        size * (DoubleLanes::load(capsules.radius) + (other.radius + margin_)) +
-        std::numeric_limits<double>::min();
-    return (larger(first, second) + reach < std::min(begin, end)) |
-           (smaller(first, second) - reach > std::max(begin, end));
+  // The lanes whose sums with the capsule of the other node, parallelograms with round corners, lie
+  // beside the piece, seen along one of their sides.
+  [[nodiscard]] DoubleMask beside(const CapsuleBlock& capsules,
+                                  const ImplicitSuperset::Node& other) const {
+    const DoubleLanes x0 = DoubleLanes::load(capsules.x0);
+    const DoubleLanes y0 = DoubleLanes::load(capsules.y0);
+    const DoubleLanes dx = DoubleLanes::load(capsules.x1) - x0;
+    const DoubleLanes dy = DoubleLanes::load(capsules.y1) - y0;
+    const double other_dx = other.to.x - other.from.x;
+    const double other_dy = other.to.y - other.from.y;
+    // The ends of the piece, seen from a corner of the parallelogram.
+    const DoubleLanes from_x = (from_.x - other.from.x) - x0;
+    const DoubleLanes from_y = (from_.y - other.from.y) - y0;
+    const DoubleLanes to_x = (to_.x - other.from.x) - x0;
+    const DoubleLanes to_y = (to_.y - other.from.y) - y0;
+    const DoubleLanes width = other_dy * dx - other_dx * dy;
+    const DoubleLanes radius = DoubleLanes::load(capsules.radius) + (other.radius + margin_);
+    const DoubleLanes lowest = smaller(width, DoubleLanes::of(0));
+    const DoubleLanes highest = larger(width, DoubleLanes::of(0));
+    const auto beside_along = [&](const DoubleLanes& first, const DoubleLanes& second,
+                                  const DoubleLanes& reach) {
+      return (highest + reach < smaller(first, second)) | (larger(first, second) < lowest - reach);
+    };
+    constexpr double smallest = std::numeric_limits<double>::min();
+    return beside_along(dx * from_y - dy * from_x, dx * to_y - dy * to_x,
+                        radius * (magnitude(dx) + magnitude(dy)) + smallest) |
+           beside_along(other_dy * from_x - other_dx * from_y, other_dy * to_x - other_dx * to_y,
+                        (std::abs(other_dx) + std::abs(other_dy)) * radius + smallest);
   }
 
   double dx_;

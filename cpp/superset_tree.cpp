@@ -180,8 +180,11 @@ SupersetTree::SupersetTree(const Operands& operands, const CoarseGrid& grid,
     const Block* const below = &blocks_[first];
     first = (first - 1) / width;
     level = &blocks_[first];
-    for (std::uint32_t k = 0; k < count || k % width != 0; ++k) {
-      level[k / width].put(k % width, k < count ? below[k].hull() : nothing);
+    for (std::uint32_t k = 0; k < count; ++k) {
+      level[k / width].put(k % width, below[k].hull());
+    }
+    for (std::uint32_t k = count; k % width != 0; ++k) {
+      level[k / width].put(k % width, nothing);
     }
   }
 }
