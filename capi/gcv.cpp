@@ -62,8 +62,9 @@ using gcv::capi::require;
 #define GCV_TEXT_OF(x) #x
 #define GCV_TEXT(x) GCV_TEXT_OF(x)
 
-gcv_polygon* new_polygon(const std::vector<Point>& boundary) {
-  auto polygon = std::make_shared<const gcv::Polygon>(gcv::make_polygon(boundary, "polygon"));
+gcv_polygon* new_polygon(std::vector<Point> boundary) {
+  auto polygon =
+      std::make_shared<const gcv::Polygon>(gcv::make_polygon(std::move(boundary), "polygon"));
   return new gcv_polygon(std::move(polygon));
 }
 

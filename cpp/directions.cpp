@@ -14,7 +14,7 @@ struct LineDirection {
 };
 
 LineDirection line_direction(const Polygon& polygon, Index line) {
-  const Index i = polygon.edge_of_line[line];
+  const Index i = polygon.lines[line].edge;
   const Point& start = polygon.vertices[i];
   const Point& end = polygon.vertices[polygon.next(i)];
   return polygon.upper[i] != 0 ? LineDirection{start, end} : LineDirection{end, start};
@@ -23,7 +23,7 @@ LineDirection line_direction(const Polygon& polygon, Index line) {
 // 1 where line direction la of A comes before lb of B, -1 where it comes after it, 0 where they are
 // the same.
 int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally& tally) {
-  if (const int order = compare_keys(a.key_of_line[la], b.key_of_line[lb])) {
+  if (const int order = compare_keys(a.lines[la].key, b.lines[lb].key)) {
     ++tally.filtered;
     return order;
   }
@@ -43,8 +43,8 @@ Ranks ranks_of(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn)
 }  // namespace
 
 Directions merge_directions(const Polygon& a, const Polygon& b, Tally& tally) {
-  const auto lines_a = static_cast<Index>(a.edge_of_line.size());
-  const auto lines_b = static_cast<Index>(b.edge_of_line.size());
+  const auto lines_a = static_cast<Index>(a.lines.size());
+  const auto lines_b = static_cast<Index>(b.lines.size());
   boost::container::small_vector<Rank, 64> rank_of_line(std::size_t{lines_a} + lines_b,
                                                         boost::container::default_init);
   Rank* const rank_of_line_a = rank_of_line.data();

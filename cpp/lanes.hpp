@@ -150,8 +150,20 @@ struct FloatLanes {
     return lanes;
   }
 
+  void store(Number* numbers) const {
+    std::memcpy(numbers, &low, sizeof low);
+    std::memcpy(numbers + 4, &high, sizeof high);
+  }
+
   friend FloatMask operator<(const FloatLanes& p, Number x) { return {p.low < x, p.high < x}; }
   friend FloatMask operator>(const FloatLanes& p, Number x) { return {p.low > x, p.high > x}; }
+
+  friend FloatLanes smaller(const FloatLanes& p, const FloatLanes& q) {
+    return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
+  }
+  friend FloatLanes larger(const FloatLanes& p, const FloatLanes& q) {
+    return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
+  }
 
   friend Number smallest(const FloatLanes& p) {
     const FourFloats four = p.low < p.high ? p.low : p.high;

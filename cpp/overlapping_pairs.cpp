@@ -23,27 +23,35 @@ double scale_to_one(double extents) {
 // The numbers of the tree for coordinates within some bounds.
 class OverlappingPairs::Frame {
  public:
-  struct Place {
-    float x;
-    float y;
-  };
-
   explicit Frame(const Box& bounds)
       : bounds_(bounds),
         scale_(scale_to_one(std::max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0))) {}
 
-  [[nodiscard]] Place place(double x, double y) const {
-    if (scale_ == 0) {  // the extents overflow
-      return {0, 0};
-    }
-    return {static_cast<float>((x - bounds_.x0) * scale_),
-            static_cast<float>((y - bounds_.y0) * scale_)};
-  }
+  [[nodiscard]] float x(double x) const { return place(x - bounds_.x0); }
+  [[nodiscard]] float y(double y) const { return place(y - bounds_.y0); }
 
  private:
+  // 0 where the extents overflow.
+  [[nodiscard]] float place(double distance) const {
+    return scale_ == 0 ? 0 : static_cast<float>(distance * scale_);
+  }
+
   Box bounds_;
   double scale_;
 };
+
+// Without a branch, for edges of a ring go all ways: by p.x < q.x (1), p.y < q.y (2), q.x < p.x (4)
+// and q.y < p.y (8).
+OverlappingPairs::Ways OverlappingPairs::ways_of(const Point& p, const Point& q) {
+  constexpr Ways on = 5;     // forwards, by x first and by y first
+  constexpr Ways back = 10;  // backwards
+  constexpr Ways up = 6;     // backwards by x first, forwards by y first
+  constexpr Ways down = 9;
+  constexpr Ways ways[] = {0, on, on, on, back, 0, up, 0, back, down, 0, 0, back};
+  const PairOfDoubles from{p.x, p.y};
+  const PairOfDoubles to{q.x, q.y};
+  return ways[bits_of(less(from, to)) | bits_of(less(to, from)) << 2U];
+}
 
 OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1U) {
   Box bounds = boxes[0];
@@ -51,43 +59,47 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1
     bounds = hull_of(bounds, box);
   }
   const Frame frame(bounds);
-  const auto box_of = [&](std::size_t k) {
-    const auto low = frame.place(boxes[k].x0, boxes[k].y0);
-    const auto high = frame.place(boxes[k].x1, boxes[k].y1);
-    return NodeBox{low.x, low.y, high.x, high.y};
-  };
-  build(boxes.size(), box_of, [](std::size_t) { return Ways{0}; });
-}
-
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
-  Box bounds = box_of(ring[0], ring[0]);
-  for (const Point& p : ring) {
-    bounds = hull_of(bounds, box_of(p, p));
-  }
-  const Frame frame(bounds);
-  const auto end = [&](std::size_t k) { return ring[k + 1 == ring.size() ? 0 : k + 1]; };
-  auto to = frame.place(ring[0].x, ring[0].y);
-  const auto box_of_edge = [&](std::size_t k) {
-    const auto from = to;
-    const Point next = end(k);
-    to = frame.place(next.x, next.y);
-    return NodeBox{std::min(from.x, to.x), std::min(from.y, to.y), std::max(from.x, to.x),
-                   std::max(from.y, to.y)};
-  };
-  build(ring.size(), box_of_edge, [&](std::size_t k) {
-    const Point& p = ring[k];
-    const Point q = end(k);
-    if (p == q) {
-      return Ways{0};
+  build(boxes.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      const Box& box = boxes[first + lane];
+      block.put(lane, {frame.x(box.x0), frame.y(box.y0), frame.x(box.x1), frame.y(box.y1)});
     }
-    const bool by_x = lexicographically_less(p, q);
-    const bool by_y = p.y < q.y || (p.y == q.y && p.x < q.x);
-    return static_cast<Ways>((by_x ? 1U : 2U) | (by_y ? 4U : 8U));
+    return Ways{0};
   });
 }
 
-template <class BoxOf, class WaysOf>
-void OverlappingPairs::build(std::size_t boxes, BoxOf box_of, WaysOf ways_of) {
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
+  const Frame frame(box_of(ring));
+  build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
+    Ways ways = all_ways;
+    float x[width + 1];
+    float y[width + 1];
+    x[0] = frame.x(ring[first].x);
+    y[0] = frame.y(ring[first].y);
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      const std::size_t k = first + lane;
+      const Point& p = ring[k];
+      const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
+      x[lane + 1] = frame.x(q.x);
+      y[lane + 1] = frame.y(q.y);
+      ways &= ways_of(p, q);
+    }
+    std::fill(x + count + 1, x + width + 1, x[count]);
+    std::fill(y + count + 1, y + width + 1, y[count]);
+    const FloatLanes from_x = FloatLanes::load(x);
+    const FloatLanes from_y = FloatLanes::load(y);
+    const FloatLanes to_x = FloatLanes::load(x + 1);
+    const FloatLanes to_y = FloatLanes::load(y + 1);
+    smaller(from_x, to_x).store(block.x0);
+    smaller(from_y, to_y).store(block.y0);
+    larger(from_x, to_x).store(block.x1);
+    larger(from_y, to_y).store(block.y1);
+    return ways;
+  });
+}
+
+template <class Fill>
+void OverlappingPairs::build(std::size_t boxes, Fill fill) {
   boxes_ = static_cast<std::uint32_t>(boxes);
   first_block_[0] = 0;
   std::uint32_t count = boxes_;
@@ -99,23 +111,27 @@ void OverlappingPairs::build(std::size_t boxes, BoxOf box_of, WaysOf ways_of) {
   blocks_.resize(first_block_[levels_]);
   ways_.assign(blocks_.size(), all_ways);
 
-  constexpr NodeBox nothing{FloatLanes::highest, FloatLanes::highest, FloatLanes::lowest,
-                            FloatLanes::lowest};
-  for (std::uint32_t k = 0; k < boxes_; ++k) {
-    put(0, k, box_of(k));
-    ways_[k / width] &= ways_of(k);
-  }
-  for (std::uint32_t k = boxes_; k % width != 0; ++k) {
-    put(0, k, nothing);
+  const auto leave_out = [](Block& block, std::uint32_t first) {
+    for (std::uint32_t lane = first; lane < width; ++lane) {
+      block.put(lane,
+                {FloatLanes::highest, FloatLanes::highest, FloatLanes::lowest, FloatLanes::lowest});
+    }
+  };
+  for (std::uint32_t node = 0; node < first_block_[1]; ++node) {
+    const std::uint32_t lanes = children(0, node);
+    ways_[node] = fill(blocks_[node], std::size_t{width} * node, lanes);
+    leave_out(blocks_[node], lanes);
   }
   for (std::uint32_t level = 1; level < levels_; ++level) {
-    const std::uint32_t below = nodes(level - 1);
-    for (std::uint32_t node = 0; node < below; ++node) {
-      put(level, node, block(level - 1, node).hull());
-      ways_[first_block_[level] + node / width] &= ways(level - 1, node);
-    }
-    for (std::uint32_t node = below; node % width != 0; ++node) {
-      put(level, node, nothing);
+    for (std::uint32_t node = 0; node < nodes(level); ++node) {
+      const std::uint32_t lanes = children(level, node);
+      const std::uint32_t number = first_block_[level] + node;
+      for (std::uint32_t lane = 0; lane < lanes; ++lane) {
+        const std::uint32_t child = width * node + lane;
+        blocks_[number].put(lane, block(level - 1, child).hull());
+        ways_[number] &= ways(level - 1, child);
+      }
+      leave_out(blocks_[number], lanes);
     }
   }
 }

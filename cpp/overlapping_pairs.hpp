@@ -144,12 +144,12 @@ class OverlappingPairs {
   using Ways = std::uint8_t;
   static constexpr Ways all_ways = 15;
 
-  // Of so many boxes, given by box_of(k) in turn, as boxes of the tree.
-  template <class BoxOf, class WaysOf>
-  void build(std::size_t boxes, BoxOf box_of, WaysOf ways_of);
-  void put(std::uint32_t level, std::uint32_t node, const NodeBox& box) {
-    blocks_[first_block_[level] + node / width].put(node % width, box);
-  }
+  static Ways ways_of(const Point& p, const Point& q);
+
+  // Of so many boxes: fill(block, first, count) writes those from `first` on to a block of edges,
+  // `count` of them, and tells their ways.
+  template <class Fill>
+  void build(std::size_t boxes, Fill fill);
 
   [[nodiscard]] Ways ways(std::uint32_t level, std::uint32_t node) const {
     return ways_[first_block_[level] + node];

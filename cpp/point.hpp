@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 
 namespace gcv {
 
@@ -31,6 +32,16 @@ struct Box {
 // The box of the segment pq.
 inline Box box_of(const Point& p, const Point& q) {
   return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+}
+
+// That of some points, at least one.
+inline Box box_of(std::span<const Point> points) {
+  Box box = box_of(points.front(), points.front());
+  for (const Point& p : points) {
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
+           std::max(box.y1, p.y)};
+  }
+  return box;
 }
 
 // The point a + b of the sum.

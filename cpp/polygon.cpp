@@ -40,32 +40,33 @@ void check_finite(std::span<const Point> boundary, const char* name) {
 
 // Without the closing vertex and without repeated vertices, of which the last stays:
 // the edge behind it is the one that leads on.
-Chain without_repetitions(std::span<const Point> boundary) {
+Chain without_repetitions(std::vector<Point> boundary) {
   std::size_t count = boundary.size();
   while (count > 1 && boundary[count - 1] == boundary[0]) {
     --count;
   }
-  Chain chain;
-  chain.points.reserve(count);
-  chain.number.reserve(count);
+  Chain chain{std::move(boundary), std::vector<Index>(count), {}};
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const Point& p = boundary[i];
-    if (i + 1 < count && boundary[i + 1] == p) {
+    const Point p = chain.points[i];
+    if (i + 1 < count && chain.points[i + 1] == p) {
       continue;
     }
     // Adding 0 turns -0 into 0.
-    chain.points.push_back({p.x + 0.0, p.y + 0.0});
-    chain.number.push_back(static_cast<Index>(i));
+    chain.points[kept] = {p.x + 0.0, p.y + 0.0};
+    chain.number[kept++] = static_cast<Index>(i);
   }
+  chain.points.resize(kept);
+  chain.number.resize(kept);
   return chain;
 }
 
 void find_turns(Chain& chain) {
   Tally tally;
-  chain.turn.reserve(chain.size());
+  chain.turn.resize(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    chain.turn.push_back(orientation(chain.points[chain.previous(i)], chain.points[i],
-                                     chain.points[chain.next(i)], tally));
+    chain.turn[i] = orientation(chain.points[chain.previous(i)], chain.points[i],
+                                chain.points[chain.next(i)], tally);
   }
 }
 
@@ -110,39 +111,37 @@ void take_corners(const Chain& chain, Polygon& polygon) {
   const int left = chain.turn[first];  // no line passes through a smallest point
   const auto n = static_cast<std::size_t>(
       std::count_if(chain.turn.begin(), chain.turn.end(), [](int turn) { return turn != 0; }));
-  polygon.vertices.reserve(n);
-  polygon.vertex_number.reserve(n);
-  polygon.edge_number.reserve(n);
-  polygon.convex.reserve(n);
+  polygon.vertices.resize(n);
+  polygon.vertex_number.resize(n);
+  polygon.edge_number.resize(n);
+  polygon.convex.resize(n);
   polygon.is_convex = true;
+  std::size_t corner = 0;
   std::size_t i = first;
   do {
     const std::size_t before = chain.previous(i);
     if (chain.turn[i] != 0) {
       const bool is_convex = chain.turn[i] == left;
-      polygon.vertices.push_back(chain.points[i]);
-      polygon.vertex_number.push_back(chain.number[i]);
-      polygon.edge_number.push_back(chain.number[left > 0 ? i : before]);
-      polygon.convex.push_back(is_convex ? 1 : 0);
+      polygon.vertices[corner] = chain.points[i];
+      polygon.vertex_number[corner] = chain.number[i];
+      polygon.edge_number[corner] = chain.number[left > 0 ? i : before];
+      polygon.convex[corner] = is_convex ? 1 : 0;
       polygon.is_convex = polygon.is_convex && is_convex;
+      ++corner;
     }
     i = left > 0 ? chain.next(i) : before;
   } while (i != first);
 }
 
-struct KeyedEdge {
-  double key;
-  Index edge;
-};
-
 // Sorts the line directions of the edges, and numbers them.
 class LineSorter {
  public:
-  explicit LineSorter(Polygon& polygon) : polygon_(polygon), edges_(polygon.size()) {
+  explicit LineSorter(Polygon& polygon) : polygon_(polygon), lines_(polygon.lines) {
+    lines_.resize(polygon_.size());
     for (Index i = 0; i < polygon_.size(); ++i) {
       const Point& p = polygon_.vertices[i];
       const Point& q = polygon_.vertices[polygon_.next(i)];
-      edges_[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
+      lines_[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
     }
   }
 
@@ -151,19 +150,25 @@ class LineSorter {
     if (polygon_.is_convex) {
       merge_halves();
     } else {
-      std::sort(edges_.begin(), edges_.end(), [](const KeyedEdge& e, const KeyedEdge& f) {
+      std::sort(lines_.begin(), lines_.end(), [](const Line& e, const Line& f) {
         return e.key > f.key || (e.key == f.key && e.edge < f.edge);
       });
     }
     if (!number_lines()) {
-      std::stable_sort(edges_.begin(), edges_.end(), Before{this});
+      std::stable_sort(lines_.begin(), lines_.end(), Before{this});
       number_lines();
     }
+    const auto is_same = [this](const Line& e, const Line& f) {
+      return polygon_.line_of_edge[e.edge] == polygon_.line_of_edge[f.edge];
+    };
+    lines_.erase(std::unique(lines_.begin(), lines_.end(), is_same), lines_.end());
   }
 
  private:
+  using Line = Polygon::Line;
+
   // 1 where e comes before f, 0 where they are parallel.
-  int compare(const KeyedEdge& e, const KeyedEdge& f) {
+  int compare(const Line& e, const Line& f) {
     if (const int order = compare_keys(e.key, f.key)) {
       return order;
     }
@@ -175,45 +180,37 @@ class LineSorter {
 
   struct Before {
     LineSorter* sorter;
-    bool operator()(const KeyedEdge& e, const KeyedEdge& f) const {
-      return sorter->compare(e, f) > 0;
-    }
+    bool operator()(const Line& e, const Line& f) const { return sorter->compare(e, f) > 0; }
   };
 
   // Of a convex polygon, the edges that point up are in order, and those that point down.
   void merge_halves() {
-    const auto is_up = [this](const KeyedEdge& e) { return polygon_.upper[e.edge] != 0; };
-    const auto up = std::find_if(edges_.begin(), edges_.end(), [&](const KeyedEdge& e) {
+    const auto is_up = [this](const Line& e) { return polygon_.upper[e.edge] != 0; };
+    const auto up = std::find_if(lines_.begin(), lines_.end(), [&](const Line& e) {
       return is_up(e) && polygon_.upper[polygon_.previous(e.edge)] == 0;
     });
-    std::rotate(edges_.begin(), up, edges_.end());
-    const auto down = std::find_if_not(edges_.begin(), edges_.end(), is_up);
-    std::inplace_merge(edges_.begin(), down, edges_.end(), Before{this});
+    std::rotate(lines_.begin(), up, lines_.end());
+    const auto down = std::find_if_not(lines_.begin(), lines_.end(), is_up);
+    std::inplace_merge(lines_.begin(), down, lines_.end(), Before{this});
   }
 
   // False where they are not in order.
   bool number_lines() {
-    polygon_.line_of_edge.resize(edges_.size());
-    polygon_.edge_of_line.clear();
-    polygon_.edge_of_line.reserve(edges_.size());
-    polygon_.key_of_line.clear();
-    polygon_.key_of_line.reserve(edges_.size());
-    for (std::size_t k = 0; k < edges_.size(); ++k) {
-      const int order = k == 0 ? 1 : compare(edges_[k - 1], edges_[k]);
+    polygon_.line_of_edge.resize(lines_.size());
+    Index line = 0;
+    for (std::size_t k = 0; k < lines_.size(); ++k) {
+      const int order = k == 0 ? 0 : compare(lines_[k - 1], lines_[k]);
       if (order < 0) {
         return false;
       }
-      if (order > 0) {
-        polygon_.edge_of_line.push_back(edges_[k].edge);
-        polygon_.key_of_line.push_back(edges_[k].key);
-      }
-      polygon_.line_of_edge[edges_[k].edge] = static_cast<Index>(polygon_.edge_of_line.size() - 1);
+      line += order > 0 ? 1 : 0;
+      polygon_.line_of_edge[lines_[k].edge] = line;
     }
     return true;
   }
 
   Polygon& polygon_;
-  std::vector<KeyedEdge> edges_;
+  std::vector<Line>& lines_;  // until all are numbered, one for each edge
   Tally tally_;
 };
 
@@ -226,36 +223,30 @@ void sort_directions(Polygon& polygon) {
 }
 
 void find_extremes(Polygon& polygon) {
-  polygon.bounds = box_of(polygon.vertices.front(), polygon.vertices.front());
-  Box& bounds = polygon.bounds;
-  for (Index i = 0; i < polygon.size(); ++i) {
-    const Point& p = polygon.vertices[i];
-    bounds = {std::min(bounds.x0, p.x), std::min(bounds.y0, p.y), std::max(bounds.x1, p.x),
-              std::max(bounds.y1, p.y)};
-    if (lexicographically_less(polygon.vertices[polygon.lexicographic_max], p)) {
-      polygon.lexicographic_max = i;
-    }
-  }
+  polygon.bounds = box_of(polygon.vertices);
+  const auto largest =
+      std::max_element(polygon.vertices.begin(), polygon.vertices.end(), lexicographically_less);
+  polygon.lexicographic_max = static_cast<Index>(largest - polygon.vertices.begin());
 }
 
 }  // namespace
 
-Polygon make_polygon(std::span<const Point> boundary, const char* name) {
+Polygon make_polygon(std::vector<Point> boundary, const char* name) {
   constexpr std::size_t most = 0x7fffffff;
-  if (boundary.size() > most) {
-    throw Error(Status::invalid_argument, "%s: %zu vertices are more than %zu", name,
-                boundary.size(), most);
+  const std::size_t given = boundary.size();
+  if (given > most) {
+    throw Error(Status::invalid_argument, "%s: %zu vertices are more than %zu", name, given, most);
   }
   check_finite(boundary, name);
-  Chain chain = without_repetitions(boundary);
+  Chain chain = without_repetitions(std::move(boundary));
   if (chain.size() < 3) {
     throw Error(Status::degenerate,
                 "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed", name,
-                chain.size(), boundary.size());
+                chain.size(), given);
   }
   find_turns(chain);
   if (all_collinear(chain)) {
-    throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, boundary.size());
+    throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, given);
   }
   check_simple(chain, name);
   Polygon polygon;

@@ -6,7 +6,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "capsules.hpp"
@@ -43,8 +42,11 @@ struct Polygon {
   // (upper: angle in [0, pi)) or against it.
   std::vector<Index> line_of_edge;
   std::vector<std::uint8_t> upper;
-  std::vector<Index> edge_of_line;  // one edge with that line direction
-  std::vector<double> key_of_line;  // that of direction_key.hpp
+  struct Line {
+    double key;  // that of direction_key.hpp
+    Index edge;  // one edge with that line direction
+  };
+  std::vector<Line> lines;
 
   Box bounds{};
   Index lexicographic_min = 0;
@@ -72,7 +74,7 @@ struct Polygon {
 // The polygon with the given boundary: either orientation, closed or not, repeated and
 // collinear vertices allowed. `name` is its name in messages, such as "polygon".
 // Throws Error: invalid_argument, not_finite, degenerate, not_simple.
-Polygon make_polygon(std::span<const Point> boundary, const char* name);
+Polygon make_polygon(std::vector<Point> boundary, const char* name);
 
 // -P = { -p : p in P }, with the same numbers. Every line direction stays, every edge
 // points the other way. O(n).

@@ -469,7 +469,7 @@ class Simplification {
       places.push_back(v.place);
       error = std::max(error, v.error);
     }
-    Polygon simplified = make_polygon(places, "simplified polygon");
+    Polygon simplified = make_polygon(std::move(places), "simplified polygon");
     for (Index& number : simplified.vertex_number) {
       number = polygon_.vertex_number[boundary[number].first];
     }
