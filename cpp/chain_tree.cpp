@@ -8,12 +8,8 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr Box nothing{infinity, infinity, -infinity, -infinity};
 
-Box join(const Box& a, const Box& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
-Box join(const ChainTree::Block& block) {
-  return join(join(block.box(0), block.box(1)), join(block.box(2), block.box(3)));
+Box hull_of(const ChainTree::Block& block) {
+  return hull_of(hull_of(block.box(0), block.box(1)), hull_of(block.box(2), block.box(3)));
 }
 
 }  // namespace
@@ -47,9 +43,9 @@ ChainTree build_chain_tree(std::span<const Point> ring) {
   for (std::size_t level = 1; level < depths; ++level) {
     const std::size_t depth = depths - 1 - level;
     fill(tree.first_block[depth], counts[level], counts[level - 1],
-         [&](std::uint32_t k) { return join(tree.blocks[tree.first_block[depth + 1] + k]); });
+         [&](std::uint32_t k) { return hull_of(tree.blocks[tree.first_block[depth + 1] + k]); });
   }
-  tree.box = join(tree.blocks.front());
+  tree.box = hull_of(tree.blocks.front());
   return tree;
 }
 

@@ -8,10 +8,6 @@ namespace gcv {
 
 namespace {
 
-Box hull_of(const Box& p, const Box& q) {
-  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
-}
-
 // A power of two by which the extents become 1 at most, and above 1/4 unless they are next to
 // nothing; 0 where they have overflowed.
 double scale_to_one(double extents) {
@@ -72,8 +68,8 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~
   const Frame frame(box_of(ring));
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
     Ways ways = all_ways;
-    float x[width + 1];
-    float y[width + 1];
+    float x[width + 1]{};
+    float y[width + 1]{};
     x[0] = frame.x(ring[first].x);
     y[0] = frame.y(ring[first].y);
     for (std::uint32_t lane = 0; lane < count; ++lane) {
@@ -84,8 +80,6 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~
       y[lane + 1] = frame.y(q.y);
       ways &= ways_of(p, q);
     }
-    std::fill(x + count + 1, x + width + 1, x[count]);
-    std::fill(y + count + 1, y + width + 1, y[count]);
     const FloatLanes from_x = FloatLanes::load(x);
     const FloatLanes from_y = FloatLanes::load(y);
     const FloatLanes to_x = FloatLanes::load(x + 1);

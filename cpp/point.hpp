@@ -34,12 +34,16 @@ inline Box box_of(const Point& p, const Point& q) {
   return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
 }
 
+// That of two boxes.
+inline Box hull_of(const Box& p, const Box& q) {
+  return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
+}
+
 // That of some points, at least one.
 inline Box box_of(std::span<const Point> points) {
   Box box = box_of(points.front(), points.front());
   for (const Point& p : points) {
-    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x),
-           std::max(box.y1, p.y)};
+    box = hull_of(box, {p.x, p.y, p.x, p.y});
   }
   return box;
 }

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Lanes against the same operations on separate numbers.
+#include "lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "generators.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::uniform;
+
+constexpr int rounds = 1000;
+
+// The lanes in which holds(lane), as bits.
+template <class Holds>
+unsigned bits_where(std::uint32_t width, Holds holds) {
+  unsigned bits = 0;
+  for (std::uint32_t lane = 0; lane < width; ++lane) {
+    bits |= holds(lane) ? 1U << lane : 0U;
+  }
+  return bits;
+}
+
+// Few different numbers, so that many are equal; both zeros among them.
+double some_double(Random& random) {
+  constexpr double numbers[] = {-std::numeric_limits<double>::infinity(), -3, -0.0, 0, 0.5, 7};
+  return numbers[uniform(random, 0, 5)];
+}
+
+// All of the range, and often its ends.
+std::int16_t some_short(Random& random) {
+  const int number = std::clamp(uniform(random, -40000, 40000), -0x8000, 0x7fff);
+  return static_cast<std::int16_t>(number);
+}
+
+TEST(Lanes, CompareDoubles) {
+  Random random(1);
+  for (int round = 0; round < rounds; ++round) {
+    double p[DoubleLanes::width];
+    double q[DoubleLanes::width];
+    std::generate(std::begin(p), std::end(p), [&] { return some_double(random); });
+    std::generate(std::begin(q), std::end(q), [&] { return some_double(random); });
+    const double x = some_double(random);
+    const auto bits = [](auto holds) { return bits_where(DoubleLanes::width, holds); };
+    const DoubleLanes lanes = DoubleLanes::load(p);
+    const DoubleLanes others = DoubleLanes::load(q);
+    EXPECT_EQ((lanes < others).bits(), bits([&](auto k) { return p[k] < q[k]; }));
+    EXPECT_EQ((lanes > others).bits(), bits([&](auto k) { return p[k] > q[k]; }));
+    EXPECT_EQ((lanes < x).bits(), bits([&](auto k) { return p[k] < x; }));
+    EXPECT_EQ((lanes > x).bits(), bits([&](auto k) { return p[k] > x; }));
+    EXPECT_EQ(((lanes > x) | (others > x)).bits(),
+              bits([&](auto k) { return p[k] > x || q[k] > x; }));
+    double sizes[DoubleLanes::width];
+    magnitude(lanes).store(sizes);
+    for (std::uint32_t k = 0; k < DoubleLanes::width; ++k) {
+      EXPECT_EQ(sizes[k], std::abs(p[k]));
+    }
+  }
+}
+
+TEST(Lanes, CompareNothingWithoutANumber) {
+  const DoubleLanes lanes = DoubleLanes::of(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ((lanes < 0).bits() | (lanes > 0).bits(), 0U);
+}
+
+TEST(Lanes, CompareFloats) {
+  Random random(2);
+  for (int round = 0; round < rounds; ++round) {
+    float p[FloatLanes::width];
+    std::generate(std::begin(p), std::end(p),
+                  [&] { return static_cast<float>(some_double(random)); });
+    const auto x = static_cast<float>(some_double(random));
+    const auto bits = [](auto holds) { return bits_where(FloatLanes::width, holds); };
+    const FloatLanes lanes = FloatLanes::load(p);
+    EXPECT_EQ((lanes < x).bits(), bits([&](auto k) { return p[k] < x; }));
+    EXPECT_EQ((lanes > x).bits(), bits([&](auto k) { return p[k] > x; }));
+    EXPECT_EQ(smallest(lanes), *std::min_element(std::begin(p), std::end(p)));
+    EXPECT_EQ(largest(lanes), *std::max_element(std::begin(p), std::end(p)));
+  }
+}
+
+TEST(Lanes, CompareAndMultiplyShorts) {
+  Random random(3);
+  for (int round = 0; round < rounds; ++round) {
+    std::int16_t p[ShortLanes::width];
+    std::int16_t q[ShortLanes::width];
+    std::generate(std::begin(p), std::end(p), [&] { return some_short(random); });
+    std::generate(std::begin(q), std::end(q), [&] { return some_short(random); });
+    const auto bits = [](auto holds) { return bits_where(ShortLanes::width, holds); };
+    const ShortLanes lanes = ShortLanes::load(p);
+    const ShortLanes others = ShortLanes::load(q);
+    EXPECT_EQ((lanes < others).bits(), bits([&](auto k) { return p[k] < q[k]; }));
+    EXPECT_EQ((lanes > others).bits(), bits([&](auto k) { return p[k] > q[k]; }));
+    EXPECT_EQ(smallest(lanes), *std::min_element(std::begin(p), std::end(p)));
+    EXPECT_EQ(largest(lanes), *std::max_element(std::begin(p), std::end(p)));
+    const ShortLanes product = high_product(lanes, others);
+    for (std::uint32_t k = 0; k < ShortLanes::width; ++k) {
+      EXPECT_EQ(product.numbers[k], std::floor(p[k] * q[k] / 65536.0));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gcv
