@@ -54,10 +54,10 @@ Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, 
 }
 
 // At least the distance of p from the segment ab: that to a point near its foot, whose
-// coordinates are off by a few units in the last place at most. Scaled down where squares would
-// overflow: what the smaller coordinates lose is nothing beside a unit.
+// coordinates are off by a few units in the last place at most. Scaled where squares would overflow
+// or underflow: what the smaller coordinates lose is nothing beside a unit.
 double distance_bound(Point p, Point a, Point b, double unit) {
-  const double scale = unit > 0x1p400 ? 0x1p-600 : 1;
+  const double scale = unit > 0x1p400 ? 0x1p-600 : unit < 0x1p-400 ? 0x1p600 : 1;
   for (Point* const point : {&p, &a, &b}) {
     *point = {point->x * scale, point->y * scale};
   }
