@@ -155,6 +155,8 @@ struct FloatLanes {
     std::memcpy(numbers + 4, &high, sizeof high);
   }
 
+  friend FloatLanes operator+(const FloatLanes& p, Number x) { return {p.low + x, p.high + x}; }
+  friend FloatLanes operator-(const FloatLanes& p, Number x) { return {p.low - x, p.high - x}; }
   friend FloatMask operator<(const FloatLanes& p, Number x) { return {p.low < x, p.high < x}; }
   friend FloatMask operator>(const FloatLanes& p, Number x) { return {p.low > x, p.high > x}; }
 

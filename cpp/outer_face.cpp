@@ -30,6 +30,7 @@
 #include <utility>
 
 #include "convex_sum.hpp"
+#include "convolution_cycle.hpp"
 #include "doubled.hpp"
 #include "error.hpp"
 #include "hull.hpp"
@@ -85,7 +86,11 @@ struct Arc {
 // too many edges coincide.
 class Superset {
  public:
-  explicit Superset(const Operands& operands) : operands_(operands) {
+  explicit Superset(const Operands& operands)
+      : operands_(operands), cycle_(ConvolutionCycle::find(operands)) {
+    if (cycle_) {
+      return;
+    }
     const CoarseGrid grid(operands);
     std::optional<RankedEdges> ranked;
     // At least: a vertex contributes to every edge.
@@ -107,11 +112,13 @@ class Superset {
   }
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
+  [[nodiscard]] const std::optional<ConvolutionCycle>& cycle() const { return cycle_; }
   [[nodiscard]] const std::optional<SupersetTree>& tree() const { return tree_; }
   [[nodiscard]] const std::optional<ImplicitSuperset>& implicit() const { return implicit_; }
 
  private:
   const Operands& operands_;
+  std::optional<ConvolutionCycle> cycle_;
   std::optional<SupersetTree> tree_;
   std::optional<ImplicitSuperset> implicit_;
 };
@@ -144,14 +151,16 @@ class Walker {
     bool turns = true;
     stop_at({first.i, first.j});
     while (true) {
-      set_out(next);
       if (turns) {
         walk_.vertices.push_back(place_.is_sum
                                      ? RingVertex::sum(place_.sum.i, place_.sum.j, arriving, next)
                                      : RingVertex::crossing(arriving, next));
       }
       count_step();
-      find_step();
+      if (!set_out_alone(next)) {
+        set_out(next);
+        find_step();
+      }
       if (event_) {
         next = event_->line.edge;
         place_ = event_->place;
@@ -189,6 +198,22 @@ class Walker {
     end_ = relative_on(line_, 1);
     event_.reset();
     onwards_.reset();
+  }
+
+  // The same for an edge of a cycle that no others come near but its neighbours: the one that
+  // follows is the way on. False where it is not such an edge.
+  bool set_out_alone(const PairEdge& edge) {
+    const auto& cycle = superset_.cycle();
+    const std::optional<Index> next = cycle ? cycle->only_way_on(number_) : std::nullopt;
+    if (!next) {
+      return false;
+    }
+    number_ = *next;
+    line_.edge = edge;
+    event_.reset();
+    onwards_ = cycle->edge(*next);
+    end_sum_ = {onwards_->i, onwards_->j};
+    return true;
   }
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
@@ -250,6 +275,10 @@ class Walker {
 
   // Of the two edges that start in lexmin(A) + lexmin(B), the more clockwise one.
   PairEdge first_edge(Index i, Index j) {
+    if (const auto& cycle = superset_.cycle()) {
+      number_ = cycle->first_from(i, j);
+      return cycle->edge(number_);
+    }
     const PairEdge translated = operands_.translated(i, j);
     const PairEdge corner = operands_.corner(i, j);
     const Rank angle = directions_.angle(translated.rank, corner.rank);
@@ -273,6 +302,10 @@ class Walker {
 
   // How the boundary leaves s, beyond the place.
   void find_step() {
+    if (superset_.cycle()) {
+      find_step_in_cycle(*superset_.cycle());
+      return;
+    }
     const Point from = relative_position();
     if (!superset_.tree()) {
       find_step_by_pieces(from);
@@ -280,6 +313,23 @@ class Walker {
     }
     SupersetTree::Piece piece(*superset_.tree(), line_.at, from, end_);
     search(1, piece, [&](const auto& visit) { superset_.tree()->search(piece, visit); });
+  }
+
+  // The same where the superset is a cycle.
+  void find_step_in_cycle(const ConvolutionCycle& cycle) {
+    Index next = number_;
+    const auto consider_number = [&](Index number) {
+      if (consider(cycle.edge(number))) {
+        next = number;
+      }
+    };
+    for (const Index number : cycle.near(number_)) {
+      consider_number(number);
+    }
+    if (const std::optional<Index> number = cycle.next(number_)) {
+      consider_number(*number);
+    }
+    number_ = next;
   }
 
   // The same where the superset is implicit. The whole of s is searched where few steps fit into a
@@ -337,20 +387,20 @@ class Walker {
   template <class Piece, class InSuperset>
   void search(double parameter, Piece& piece, InSuperset in_superset) {
     in_superset([&](const PairEdge& e) {
-      if (consider(e) && event_->place.parameter.hi < parameter) {
+      if (consider(e) && event_ && event_->place.parameter.hi < parameter) {
         piece.shorten(relative_on(line_, clamp_to_unit(event_->place.parameter.hi)));
       }
     });
   }
 
-  // Does the boundary leave s along e, of all edges so far? True where e is the first event.
+  // Does the boundary leave s along e, of all edges so far?
   bool consider(const PairEdge& e) {
     const Rank angle = directions_.angle(line_.edge.rank, e.rank);
     if (angle > directions_.half_turn) {
       return consider_event(e);
     }
     if (angle < directions_.half_turn && !event_ && !(end_of(e) == end_sum_) && comes_near_end(e)) {
-      consider_onwards(e);
+      return consider_onwards(e);
     }
     return false;
   }
@@ -386,18 +436,20 @@ class Walker {
   // The most clockwise of the edges that pass through the end of s, or start there, and
   // go straight on or left (fact 4); of those in one direction, the one that reaches
   // furthest: is it e?
-  void consider_onwards(const PairEdge& e) {
+  bool consider_onwards(const PairEdge& e) {
     ++walk_.candidates;
     if (onwards_) {
       const Rank left = directions_.angle(line_.edge.rank, e.rank);
       const Rank best_left = directions_.angle(line_.edge.rank, onwards_->rank);
       if (left > best_left || (left == best_left && !preferred(line_of(e), line_of(*onwards_)))) {
-        return;
+        return false;
       }
     }
-    if (starts_in(e, end_sum_) || passes_through(line_of(e), end_sum_)) {
-      onwards_ = e;
+    if (!starts_in(e, end_sum_) && !passes_through(line_of(e), end_sum_)) {
+      return false;
     }
+    onwards_ = e;
+    return true;
   }
 
   // Can the edge pass through the end of s?
@@ -495,6 +547,7 @@ class Walker {
 
   // The edge that the walk is on, s, and the place that it has come to.
   Line line_;
+  Index number_ = 0;  // of s, where the superset is a cycle
   Place place_;
   VertexSum end_sum_;  // the end of s
   Point end_;          // the same in relative coordinates

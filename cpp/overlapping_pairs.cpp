@@ -64,10 +64,12 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1
   });
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~3U) {
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points) : after_first_(~3U) {
+  const bool are_exact = points == Points::exact;
+  const float margin = are_exact ? 0 : 0x1p-20F;
   const Frame frame(box_of(ring));
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
-    Ways ways = all_ways;
+    Ways ways = are_exact ? all_ways : 0;
     float x[width + 1]{};
     float y[width + 1]{};
     x[0] = frame.x(ring[first].x);
@@ -78,16 +80,18 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring) : after_first_(~
       const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
       x[lane + 1] = frame.x(q.x);
       y[lane + 1] = frame.y(q.y);
-      ways &= ways_of(p, q);
+      if (are_exact) {
+        ways &= ways_of(p, q);
+      }
     }
     const FloatLanes from_x = FloatLanes::load(x);
     const FloatLanes from_y = FloatLanes::load(y);
     const FloatLanes to_x = FloatLanes::load(x + 1);
     const FloatLanes to_y = FloatLanes::load(y + 1);
-    smaller(from_x, to_x).store(block.x0);
-    smaller(from_y, to_y).store(block.y0);
-    larger(from_x, to_x).store(block.x1);
-    larger(from_y, to_y).store(block.y1);
+    (smaller(from_x, to_x) - margin).store(block.x0);
+    (smaller(from_y, to_y) - margin).store(block.y0);
+    (larger(from_x, to_x) + margin).store(block.x1);
+    (larger(from_y, to_y) + margin).store(block.y1);
     return ways;
   });
 }

@@ -24,7 +24,10 @@ class OverlappingPairs {
   // The boxes of the edges of a closed ring. Most pairs of neighbours, which always overlap, are
   // passed over, and most pairs of a chain whose points are in lexicographic order, of which no
   // two edges meet but in the vertex of neighbours.
-  explicit OverlappingPairs(std::span<const Point> ring);
+  // Points that are off by up to 2^-22 of their extents make larger boxes, and of their pairs only
+  // those of neighbours are passed over.
+  enum class Points : std::uint8_t { exact, rounded };
+  explicit OverlappingPairs(std::span<const Point> ring, Points points = Points::exact);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
   [[nodiscard]] std::uint32_t last_level() const { return levels_ - 1; }
