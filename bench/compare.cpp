@@ -57,7 +57,8 @@ Options parse(const std::vector<std::string>& arguments) {
 
 std::string described(const Ring& ring) {
   const Polygon polygon = make_polygon(ring, "polygon");
-  const auto reflex = std::count(polygon.convex.begin(), polygon.convex.end(), 0);
+  const auto reflex = std::count_if(polygon.corners.begin(), polygon.corners.end(),
+                                    [](const Polygon::Corner& corner) { return !corner.convex; });
   return "{\"vertices\": " + std::to_string(ring.size()) +
          ", \"reflex\": " + std::to_string(reflex) + "}";
 }

@@ -87,10 +87,10 @@ struct Operands {
   // Edge i of A and edge j of B must have the same direction. A vertex contributes to an
   // edge with the direction of one of its own edges just when it is convex.
   [[nodiscard]] Merge merge(Index i, Index j) const {
-    const bool v0 = a.convex[i] != 0;
-    const bool v1 = a.convex[a.next(i)] != 0;
-    const bool w0 = b.convex[j] != 0;
-    const bool w1 = b.convex[b.next(j)] != 0;
+    const bool v0 = a.corners[i].convex;
+    const bool v1 = a.corners[a.next(i)].convex;
+    const bool w0 = b.corners[j].convex;
+    const bool w1 = b.corners[b.next(j)].convex;
     if ((v0 && w1) || (v1 && w0)) {
       return Merge::whole;
     }
@@ -104,7 +104,7 @@ struct Operands {
   [[nodiscard]] bool contributes(const Polygon& polygon, const Ranks& ranks, Index vertex,
                                  Rank rank) const {
     const Rank in = ranks[polygon.previous(vertex)];
-    return polygon.convex[vertex] != 0 &&
+    return polygon.corners[vertex].convex &&
            directions.angle(in, rank) <= directions.angle(in, ranks[vertex]);
   }
 };

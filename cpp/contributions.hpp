@@ -68,7 +68,7 @@ struct RankedEdges {
 template <class Visit>
 void for_each_cone(const Polygon& polygon, const Ranks& ranks, Visit visit) {
   for (Index v = 0; v < polygon.size(); ++v) {
-    if (polygon.convex[v] != 0) {
+    if (polygon.corners[v].convex) {
       visit(v, ranks[polygon.previous(v)], ranks[v]);
     }
   }

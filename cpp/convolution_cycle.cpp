@@ -2,8 +2,8 @@
 #include "convolution_cycle.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
-#include <numeric>
 #include <utility>
 
 #include "overlapping_pairs.hpp"
@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_links = 16384;
 constexpr std::size_t most_links_per_vertex = 4;
 constexpr std::size_t most_pairs_per_link = 8;
-constexpr Index most_near = 64;
+constexpr std::uint8_t most_near = 64;
 
 }  // namespace
 
@@ -36,15 +36,15 @@ class ConvolutionCycle::Tracing {
 
   // False where there are too many.
   bool run() {
-    const std::size_t most =
-        std::min(most_links, most_links_per_vertex * (convex_.size() + other_.size()));
-    links.reserve(most);
-    starts.reserve(most);
+    const std::size_t vertices = std::size_t{convex_.size()} + other_.size();
+    const std::size_t most = std::min(most_links, most_links_per_vertex * vertices);
+    links.reserve(vertices + vertices / 4);
+    starts.reserve(vertices + vertices / 4);
     Rank in = other_ranks_.back();
     Index k = first_vertex(in);
     for (Index i = 0; i < other_.size(); ++i) {
       const Rank out = other_ranks_[i];
-      if (other_.convex[i] != 0) {
+      if (other_.corners[i].convex) {
         for (; angle(in, convex_ranks_[k]) <= angle(in, out); k = convex_.next(k)) {
           add_corner(i, k);
         }
@@ -54,7 +54,7 @@ class ConvolutionCycle::Tracing {
         }
       }
       add_translated(i, k);
-      if (convex_ranks_[k] == out && other_.convex[other_.next(i)] == 0) {
+      if (convex_ranks_[k] == out && !other_.corners[other_.next(i)].convex) {
         k = convex_.next(k);
         add_translated(i, k);
       }
@@ -90,7 +90,7 @@ class ConvolutionCycle::Tracing {
     while (angle(before(), in) >= angle(before(), convex_ranks_[k])) {
       k = convex_.next(k);
     }
-    return before() == in && other_.convex.back() == 0 ? convex_.previous(k) : k;
+    return before() == in && !other_.corners.back().convex ? convex_.previous(k) : k;
   }
 
   void add_translated(Index i, Index k) {
@@ -155,31 +155,30 @@ bool ConvolutionCycle::find_near(std::span<const Point> starts) {
     Index first;
     Index second;
   };
+  boost::container::small_vector<Pair, 32> pairs;
   const auto size = static_cast<Index>(links_.size());
-  std::vector<Pair> pairs;
-  pairs.reserve(2 * links_.size());
-  std::vector<Index>& ends = first_near_;
-  ends.resize(links_.size() + 2);
-  const bool all_seen =
-      OverlappingPairs(starts, OverlappingPairs::Points::rounded)
-          .visit_some(most_pairs_per_link * links_.size(), [&](std::size_t p, std::size_t q) {
-            const auto first = static_cast<Index>(p);
-            const auto second = static_cast<Index>(q);
-            const bool are_neighbours = first + 1 == second || (first == 0 && second + 1 == size);
-            if (are_neighbours || links_[p].is_gap || links_[q].is_gap) {
-              return true;
-            }
-            pairs.push_back({first, second});
-            return ++ends[p + 2] <= most_near && ++ends[q + 2] <= most_near;
-          });
-  if (!all_seen) {
+  const auto visit = [&](std::size_t p, std::size_t q) {
+    const auto first = static_cast<Index>(p);
+    const auto second = static_cast<Index>(q);
+    const bool are_neighbours = first + 1 == second || (first == 0 && second + 1 == size);
+    if (are_neighbours || links_[p].is_gap || links_[q].is_gap) {
+      return true;
+    }
+    pairs.push_back({first, second});
+    return ++links_[p].near_count <= most_near && ++links_[q].near_count <= most_near;
+  };
+  if (!OverlappingPairs(starts, OverlappingPairs::Points::rounded)
+           .visit_some(most_pairs_per_link * links_.size(), visit)) {
     return false;
   }
-  std::partial_sum(ends.begin(), ends.end(), ends.begin());
-  near_.resize(2 * pairs.size());
+  Index end = 0;
+  for (Link& link : links_) {
+    link.first_near = end += link.near_count;
+  }
+  near_.resize(end);
   for (const Pair& pair : pairs) {
-    near_[ends[pair.first + 1]++] = pair.second;
-    near_[ends[pair.second + 1]++] = pair.first;
+    near_[--links_[pair.first].first_near] = pair.second;
+    near_[--links_[pair.second].first_near] = pair.first;
   }
   return true;
 }

@@ -30,8 +30,8 @@ class ConvolutionCycle {
   // The numbers of edges, among them all that have a point in common with an edge but itself and
   // its neighbours in the cycle: the one before it ends in its start, next() starts in its end.
   [[nodiscard]] std::span<const Index> near(Index number) const {
-    return std::span(near_).subspan(first_near_[number],
-                                    first_near_[number + 1] - first_near_[number]);
+    const Link& link = links_[number];
+    return std::span(near_).subspan(link.first_near, link.near_count);
   }
 
   // The edge that follows in the cycle; none where that has a gap, at a reflex vertex.
@@ -42,7 +42,7 @@ class ConvolutionCycle {
 
   // The same where no other edge comes near: then it is the only way on.
   [[nodiscard]] std::optional<Index> only_way_on(Index number) const {
-    return near(number).empty() ? next(number) : std::nullopt;
+    return links_[number].near_count == 0 ? next(number) : std::nullopt;
   }
 
  private:
@@ -52,13 +52,14 @@ class ConvolutionCycle {
   struct Link {
     PairEdge edge;
     bool is_gap;
+    std::uint8_t near_count = 0;
+    Index first_near = 0;  // where near() begins in near_
   };
 
   ConvolutionCycle() = default;
   bool find_near(std::span<const Point> starts);
 
   std::vector<Link> links_;
-  std::vector<Index> first_near_;  // of each link, and the end
   std::vector<Index> near_;
 };
 

@@ -17,7 +17,7 @@ LineDirection line_direction(const Polygon& polygon, Index line) {
   const Index i = polygon.lines[line].edge;
   const Point& start = polygon.vertices[i];
   const Point& end = polygon.vertices[polygon.next(i)];
-  return polygon.upper[i] != 0 ? LineDirection{start, end} : LineDirection{end, start};
+  return polygon.corners[i].upper ? LineDirection{start, end} : LineDirection{end, start};
 }
 
 // 1 where line direction la of A comes before lb of B, -1 where it comes after it, 0 where they are
@@ -35,7 +35,7 @@ int compare_lines(const Polygon& a, Index la, const Polygon& b, Index lb, Tally&
 Ranks ranks_of(const Polygon& polygon, const Rank* rank_of_line, Rank half_turn) {
   Ranks result(polygon.size(), boost::container::default_init);
   for (Index i = 0; i < polygon.size(); ++i) {
-    result[i] = rank_of_line[polygon.line_of_edge[i]] + (polygon.upper[i] != 0 ? 0 : half_turn);
+    result[i] = rank_of_line[polygon.corners[i].line] + (polygon.corners[i].upper ? 0 : half_turn);
   }
   return result;
 }

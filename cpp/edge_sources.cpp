@@ -59,8 +59,9 @@ class CoincidingEdges {
 EdgeSource in_callers_numbers(const EdgeSource& source, const Polygon& a, const Polygon& b) {
   const bool a_is_edge = source.kind != EdgeKind::corner;
   const bool b_is_edge = source.kind != EdgeKind::translated;
-  return {source.kind, a_is_edge ? a.edge_number[source.a] : a.vertex_number[source.a],
-          b_is_edge ? b.edge_number[source.b] : b.vertex_number[source.b]};
+  return {source.kind,
+          a_is_edge ? a.corners[source.a].edge_number : a.corners[source.a].vertex_number,
+          b_is_edge ? b.corners[source.b].edge_number : b.corners[source.b].vertex_number};
 }
 
 std::vector<EdgeSource> edge_sources(const ExactRing& ring) {

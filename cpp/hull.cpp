@@ -50,7 +50,7 @@ Index furthest(const Polygon& polygon, const Point& d) {
   std::vector<Index> furthest_so_far;
   for (Index i = 0; i < polygon.size(); ++i) {
     const double distance = along(polygon.vertices[i]);
-    if (distance < most - tolerance || polygon.convex[i] == 0) {
+    if (distance < most - tolerance || !polygon.corners[i].convex) {
       continue;
     }
     if (distance > most + tolerance) {

@@ -51,7 +51,7 @@ std::vector<ImplicitSuperset::SectorBlock> ImplicitSuperset::node_sectors(
     SectorBlock& block = result[first_block.back() + i / width];
     block.edges[i % width] = sectors(ranks[i], ranks[i]);
     block.cones[i % width] =
-        polygon.convex[i] != 0 ? sectors(ranks[polygon.previous(i)], ranks[i]) : 0;
+        polygon.corners[i].convex ? sectors(ranks[polygon.previous(i)], ranks[i]) : 0;
   }
   for (std::size_t depth = first_block.size() - 1; depth-- > 0;) {
     const std::uint32_t children = first_block[depth + 1];

@@ -176,7 +176,8 @@ class Walker {
       } else {
         throw Error(Status::internal,
                     "no superset edge leads on from vertex %u of a + vertex %u of b",
-                    operands_.a.vertex_number[end_sum_.i], operands_.b.vertex_number[end_sum_.j]);
+                    operands_.a.corners[end_sum_.i].vertex_number,
+                    operands_.b.corners[end_sum_.j].vertex_number);
       }
       arriving = line_.edge;
       turns = next.rank != line_.edge.rank;

@@ -106,8 +106,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     first_block_[levels_ + 1] = first_block_[levels_] + count;
     ++levels_;
   } while (count > 1);
-  blocks_.resize(first_block_[levels_]);
-  ways_.assign(blocks_.size(), all_ways);
+  nodes_.resize(first_block_[levels_]);
 
   const auto leave_out = [](Block& block, std::uint32_t first) {
     for (std::uint32_t lane = first; lane < width; ++lane) {
@@ -117,19 +116,19 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
   };
   for (std::uint32_t node = 0; node < first_block_[1]; ++node) {
     const std::uint32_t lanes = children(0, node);
-    ways_[node] = fill(blocks_[node], std::size_t{width} * node, lanes);
-    leave_out(blocks_[node], lanes);
+    nodes_[node].ways = fill(nodes_[node].block, std::size_t{width} * node, lanes);
+    leave_out(nodes_[node].block, lanes);
   }
   for (std::uint32_t level = 1; level < levels_; ++level) {
     for (std::uint32_t node = 0; node < nodes(level); ++node) {
       const std::uint32_t lanes = children(level, node);
-      const std::uint32_t number = first_block_[level] + node;
+      Node& parent = nodes_[first_block_[level] + node];
       for (std::uint32_t lane = 0; lane < lanes; ++lane) {
         const std::uint32_t child = width * node + lane;
-        blocks_[number].put(lane, block(level - 1, child).hull());
-        ways_[number] &= ways(level - 1, child);
+        parent.block.put(lane, block(level - 1, child).hull());
+        parent.ways &= ways(level - 1, child);
       }
-      leave_out(blocks_[number], lanes);
+      leave_out(parent.block, lanes);
     }
   }
 }

@@ -149,16 +149,21 @@ class OverlappingPairs {
 
   static Ways ways_of(const Point& p, const Point& q);
 
+  struct Node {
+    Block block;
+    Ways ways = all_ways;
+  };
+
   // Of so many boxes: fill(block, first, count) writes those from `first` on to a block of edges,
   // `count` of them, and tells their ways.
   template <class Fill>
   void build(std::size_t boxes, Fill fill);
 
   [[nodiscard]] Ways ways(std::uint32_t level, std::uint32_t node) const {
-    return ways_[first_block_[level] + node];
+    return nodes_[first_block_[level] + node].ways;
   }
   [[nodiscard]] const Block& block(std::uint32_t level, std::uint32_t node) const {
-    return blocks_[first_block_[level] + node];
+    return nodes_[first_block_[level] + node].block;
   }
   [[nodiscard]] std::uint32_t children(std::uint32_t level, std::uint32_t node) const {
     const std::uint32_t all = level == 0 ? boxes_ : nodes(level - 1);
@@ -173,8 +178,7 @@ class OverlappingPairs {
   unsigned after_first_;  // the lanes that a box in the first lane of its node may be paired with
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
-  std::vector<Block> blocks_;
-  std::vector<Ways> ways_;  // of each block
+  std::vector<Node> nodes_;
 };
 
 }  // namespace gcv

@@ -18,9 +18,12 @@ namespace {
 // A boundary under preparation: points, with the caller's number of the vertex and of the
 // edge behind it, and the sign of the turn at each: 1 left, -1 right, 0 none.
 struct Chain {
+  struct Mark {
+    Index number;
+    int turn;
+  };
   std::vector<Point> points;
-  std::vector<Index> number;
-  std::vector<int> turn;
+  std::vector<Mark> marks;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -45,7 +48,7 @@ Chain without_repetitions(std::vector<Point> boundary) {
   while (count > 1 && boundary[count - 1] == boundary[0]) {
     --count;
   }
-  Chain chain{std::move(boundary), std::vector<Index>(count), {}};
+  Chain chain{std::move(boundary), std::vector<Chain::Mark>(count)};
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Point p = chain.points[i];
@@ -54,24 +57,24 @@ Chain without_repetitions(std::vector<Point> boundary) {
     }
     // Adding 0 turns -0 into 0.
     chain.points[kept] = {p.x + 0.0, p.y + 0.0};
-    chain.number[kept++] = static_cast<Index>(i);
+    chain.marks[kept++].number = static_cast<Index>(i);
   }
   chain.points.resize(kept);
-  chain.number.resize(kept);
+  chain.marks.resize(kept);
   return chain;
 }
 
 void find_turns(Chain& chain) {
   Tally tally;
-  chain.turn.resize(chain.size());
   for (std::size_t i = 0; i < chain.size(); ++i) {
-    chain.turn[i] = orientation(chain.points[chain.previous(i)], chain.points[i],
-                                chain.points[chain.next(i)], tally);
+    chain.marks[i].turn = orientation(chain.points[chain.previous(i)], chain.points[i],
+                                      chain.points[chain.next(i)], tally);
   }
 }
 
 bool all_collinear(const Chain& chain) {
-  return std::all_of(chain.turn.begin(), chain.turn.end(), [](int turn) { return turn == 0; });
+  return std::all_of(chain.marks.begin(), chain.marks.end(),
+                     [](const Chain::Mark& mark) { return mark.turn == 0; });
 }
 
 // Does the chain turn back at q? p, q, r are collinear, q differs from p and r.
@@ -80,16 +83,18 @@ bool turns_back(const Point& p, const Point& q, const Point& r) {
 }
 
 void check_simple(const Chain& chain, const char* name) {
-  if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.turn[i]; })) {
+  if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.marks[i].turn; })) {
     return;
   }
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const std::size_t before = chain.previous(i);
     const Point& q = chain.points[i];
-    if (chain.turn[i] == 0 && turns_back(chain.points[before], q, chain.points[chain.next(i)])) {
+    if (chain.marks[i].turn == 0 &&
+        turns_back(chain.points[before], q, chain.points[chain.next(i)])) {
       throw Error(Status::not_simple,
                   "%s: edges %u and %u overlap: the ring turns back at vertex %u (%.17g, %.17g)",
-                  name, chain.number[before], chain.number[i], chain.number[i], q.x, q.y);
+                  name, chain.marks[before].number, chain.marks[i].number, chain.marks[i].number,
+                  q.x, q.y);
     }
   }
   if (const auto conflict = find_conflict(chain.points)) {
@@ -97,7 +102,8 @@ void check_simple(const Chain& chain, const char* name) {
     const Point& q = chain.points[conflict->second];
     throw Error(Status::not_simple,
                 "%s: edges %u and %u meet; they start at (%.17g, %.17g) and (%.17g, %.17g)", name,
-                chain.number[conflict->first], chain.number[conflict->second], p.x, p.y, q.x, q.y);
+                chain.marks[conflict->first].number, chain.marks[conflict->second].number, p.x, p.y,
+                q.x, q.y);
   }
 }
 
@@ -108,24 +114,22 @@ void take_corners(const Chain& chain, Polygon& polygon) {
   const auto first = static_cast<std::size_t>(
       std::min_element(chain.points.begin(), chain.points.end(), lexicographically_less) -
       chain.points.begin());
-  const int left = chain.turn[first];  // no line passes through a smallest point
+  const int left = chain.marks[first].turn;  // no line passes through a smallest point
   const auto n = static_cast<std::size_t>(
-      std::count_if(chain.turn.begin(), chain.turn.end(), [](int turn) { return turn != 0; }));
+      std::count_if(chain.marks.begin(), chain.marks.end(),
+                    [](const Chain::Mark& mark) { return mark.turn != 0; }));
   polygon.vertices.resize(n);
-  polygon.vertex_number.resize(n);
-  polygon.edge_number.resize(n);
-  polygon.convex.resize(n);
+  polygon.corners.resize(n);
   polygon.is_convex = true;
   std::size_t corner = 0;
   std::size_t i = first;
   do {
     const std::size_t before = chain.previous(i);
-    if (chain.turn[i] != 0) {
-      const bool is_convex = chain.turn[i] == left;
+    if (chain.marks[i].turn != 0) {
+      const bool is_convex = chain.marks[i].turn == left;
       polygon.vertices[corner] = chain.points[i];
-      polygon.vertex_number[corner] = chain.number[i];
-      polygon.edge_number[corner] = chain.number[left > 0 ? i : before];
-      polygon.convex[corner] = is_convex ? 1 : 0;
+      polygon.corners[corner] = {chain.marks[i].number, chain.marks[left > 0 ? i : before].number,
+                                 0, is_convex, false};
       polygon.is_convex = polygon.is_convex && is_convex;
       ++corner;
     }
@@ -141,7 +145,7 @@ class LineSorter {
     for (Index i = 0; i < polygon_.size(); ++i) {
       const Point& p = polygon_.vertices[i];
       const Point& q = polygon_.vertices[polygon_.next(i)];
-      lines_[i] = {polygon_.upper[i] != 0 ? direction_key(p, q) : direction_key(q, p), i};
+      lines_[i] = {polygon_.corners[i].upper ? direction_key(p, q) : direction_key(q, p), i};
     }
   }
 
@@ -159,7 +163,7 @@ class LineSorter {
       number_lines();
     }
     const auto is_same = [this](const Line& e, const Line& f) {
-      return polygon_.line_of_edge[e.edge] == polygon_.line_of_edge[f.edge];
+      return polygon_.corners[e.edge].line == polygon_.corners[f.edge].line;
     };
     lines_.erase(std::unique(lines_.begin(), lines_.end(), is_same), lines_.end());
   }
@@ -172,7 +176,7 @@ class LineSorter {
     if (const int order = compare_keys(e.key, f.key)) {
       return order;
     }
-    const int sense = polygon_.upper[e.edge] == polygon_.upper[f.edge] ? 1 : -1;
+    const int sense = polygon_.corners[e.edge].upper == polygon_.corners[f.edge].upper ? 1 : -1;
     return sense * turn(polygon_.vertices[e.edge], polygon_.vertices[polygon_.next(e.edge)],
                         polygon_.vertices[f.edge], polygon_.vertices[polygon_.next(f.edge)],
                         tally_);
@@ -185,9 +189,9 @@ class LineSorter {
 
   // Of a convex polygon, the edges that point up are in order, and those that point down.
   void merge_halves() {
-    const auto is_up = [this](const Line& e) { return polygon_.upper[e.edge] != 0; };
+    const auto is_up = [this](const Line& e) { return polygon_.corners[e.edge].upper; };
     const auto up = std::find_if(lines_.begin(), lines_.end(), [&](const Line& e) {
-      return is_up(e) && polygon_.upper[polygon_.previous(e.edge)] == 0;
+      return is_up(e) && !polygon_.corners[polygon_.previous(e.edge)].upper;
     });
     std::rotate(lines_.begin(), up, lines_.end());
     const auto down = std::find_if_not(lines_.begin(), lines_.end(), is_up);
@@ -196,7 +200,6 @@ class LineSorter {
 
   // False where they are not in order.
   bool number_lines() {
-    polygon_.line_of_edge.resize(lines_.size());
     Index line = 0;
     for (std::size_t k = 0; k < lines_.size(); ++k) {
       const int order = k == 0 ? 0 : compare(lines_[k - 1], lines_[k]);
@@ -204,7 +207,7 @@ class LineSorter {
         return false;
       }
       line += order > 0 ? 1 : 0;
-      polygon_.line_of_edge[lines_[k].edge] = line;
+      polygon_.corners[lines_[k].edge].line = line;
     }
     return true;
   }
@@ -215,9 +218,8 @@ class LineSorter {
 };
 
 void sort_directions(Polygon& polygon) {
-  polygon.upper.resize(polygon.size());
   for (Index i = 0; i < polygon.size(); ++i) {
-    polygon.upper[i] = points_up(polygon.vertices[i], polygon.vertices[polygon.next(i)]) ? 1 : 0;
+    polygon.corners[i].upper = points_up(polygon.vertices[i], polygon.vertices[polygon.next(i)]);
   }
   LineSorter(polygon).run();
 }
@@ -277,8 +279,8 @@ Polygon reflected(const Polygon& polygon) {
   }
   result.bounds = {0.0 - polygon.bounds.x1, 0.0 - polygon.bounds.y1, 0.0 - polygon.bounds.x0,
                    0.0 - polygon.bounds.y0};
-  for (std::uint8_t& upper : result.upper) {
-    upper ^= 1;
+  for (Polygon::Corner& corner : result.corners) {
+    corner.upper = !corner.upper;
   }
   std::swap(result.lexicographic_min, result.lexicographic_max);
   return result;

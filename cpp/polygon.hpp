@@ -28,20 +28,19 @@ struct Polygon {
   // repeated and without collinear vertices. Edge i goes from vertex i to vertex i+1.
   std::vector<Point> vertices;
 
-  // The caller's number of vertex i, and of the edge that starts there (of merged
-  // edges, the first along the ring).
-  std::vector<Index> vertex_number;
-  std::vector<Index> edge_number;
+  // Of vertex i and the edge that starts there.
+  struct Corner {
+    Index vertex_number;  // the caller's
+    Index edge_number;    // likewise; of merged edges, the first along the ring
+    Index line;           // the edge's line direction
+    bool convex;          // strictly, or else the vertex is strictly reflex
+    bool upper;           // the edge points along its line direction, or else against it
+  };
+  std::vector<Corner> corners;
+  bool is_convex = false;  // all vertices are
 
-  // Vertex i is strictly convex, or else strictly reflex.
-  std::vector<std::uint8_t> convex;
-  bool is_convex = false;  // all of them are
-
-  // Directions up to sign, sorted. The line directions (angles in [0, pi)) that occur
-  // are numbered in counter-clockwise order; an edge points along its line direction
-  // (upper: angle in [0, pi)) or against it.
-  std::vector<Index> line_of_edge;
-  std::vector<std::uint8_t> upper;
+  // Directions up to sign, sorted: the line directions (angles in [0, pi)) that occur are numbered
+  // in counter-clockwise order.
   struct Line {
     double key;  // that of direction_key.hpp
     Index edge;  // one edge with that line direction

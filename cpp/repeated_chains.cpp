@@ -86,7 +86,7 @@ class Numbering {
       }
       const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
       const EdgeKey key{bits(x.head), bits(x.tail), bits(y.head), bits(y.tail),
-                        polygon.convex[i] != 0 ? ranks[polygon.previous(i)] : no_cone};
+                        polygon.corners[i].convex ? ranks[polygon.previous(i)] : no_cone};
       edges[i] = number(edge_numbers_, key);
     }
     return edges;

@@ -83,7 +83,8 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
       "the %s coordinate of vertex %zu of the outer face, %s vertex %u of %s + vertex %u of "
       "%s, is beyond the largest double",
       x_is_finite ? "y" : "x", k, v.is_sum() ? "the sum" : "on an edge from the sum",
-      ring.a.polygon->vertex_number[i], ring.a.name, ring.b.polygon->vertex_number[j], ring.b.name);
+      ring.a.polygon->corners[i].vertex_number, ring.a.name,
+      ring.b.polygon->corners[j].vertex_number, ring.b.name);
 }
 
 bool has_repetitions(const std::vector<Point>& places) {

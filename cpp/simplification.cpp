@@ -470,11 +470,9 @@ class Simplification {
       error = std::max(error, v.error);
     }
     Polygon simplified = make_polygon(std::move(places), "simplified polygon");
-    for (Index& number : simplified.vertex_number) {
-      number = polygon_.vertex_number[boundary[number].first];
-    }
-    for (Index& number : simplified.edge_number) {
-      number = polygon_.edge_number[boundary[number].last];
+    for (Polygon::Corner& corner : simplified.corners) {
+      corner.vertex_number = polygon_.corners[boundary[corner.vertex_number].first].vertex_number;
+      corner.edge_number = polygon_.corners[boundary[corner.edge_number].last].edge_number;
     }
     return {std::make_shared<const Polygon>(std::move(simplified)), ring_.unscaled_bound(error)};
   }

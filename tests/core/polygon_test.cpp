@@ -36,6 +36,22 @@ std::string message_of(const Ring& ring) {
   }
 }
 
+std::vector<Index> vertex_numbers(const Polygon& polygon) {
+  std::vector<Index> numbers;
+  for (const Polygon::Corner& corner : polygon.corners) {
+    numbers.push_back(corner.vertex_number);
+  }
+  return numbers;
+}
+
+std::vector<Index> edge_numbers(const Polygon& polygon) {
+  std::vector<Index> numbers;
+  for (const Polygon::Corner& corner : polygon.corners) {
+    numbers.push_back(corner.edge_number);
+  }
+  return numbers;
+}
+
 const Ring square{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
 TEST(Polygon, IsNormalised) {
@@ -43,17 +59,17 @@ TEST(Polygon, IsNormalised) {
   const Ring ring{{2, 2}, {2, 2}, {2, 1}, {2, 0}, {1, 0}, {0, 0}, {0, 0}, {0, 2}, {2, 2}};
   const Polygon polygon = make_polygon(ring, "polygon");
   EXPECT_EQ(polygon.vertices, square);
-  EXPECT_EQ(polygon.vertex_number, (std::vector<Index>{6, 3, 1, 7}));
+  EXPECT_EQ(vertex_numbers(polygon), (std::vector<Index>{6, 3, 1, 7}));
   // Counter-clockwise, the edge behind (0, 0) is the caller's from (1, 0) to (0, 0).
-  EXPECT_EQ(polygon.edge_number, (std::vector<Index>{4, 2, 7, 6}));
+  EXPECT_EQ(edge_numbers(polygon), (std::vector<Index>{4, 2, 7, 6}));
 }
 
 TEST(Polygon, KeepsNumbersOfCounterClockwiseInput) {
   const Ring ring{{2, 0}, {2, 1}, {2, 2}, {0, 2}, {0, 0}, {1, 0}};
   const Polygon polygon = make_polygon(ring, "polygon");
   EXPECT_EQ(polygon.vertices, square);
-  EXPECT_EQ(polygon.vertex_number, (std::vector<Index>{4, 0, 2, 3}));
-  EXPECT_EQ(polygon.edge_number, (std::vector<Index>{4, 0, 2, 3}));
+  EXPECT_EQ(vertex_numbers(polygon), (std::vector<Index>{4, 0, 2, 3}));
+  EXPECT_EQ(edge_numbers(polygon), (std::vector<Index>{4, 0, 2, 3}));
 }
 
 TEST(Polygon, NegativeZeroBecomesZero) {
@@ -73,7 +89,10 @@ TEST(Polygon, OrientationFarFromTheOrigin) {
   std::reverse(ring.begin(), ring.end());
   const Polygon backward = make_polygon(ring, "polygon");
   EXPECT_EQ(forward.vertices, backward.vertices);
-  EXPECT_EQ(forward.convex, backward.convex);
+  ASSERT_EQ(forward.size(), backward.size());
+  for (Index i = 0; i < forward.size(); ++i) {
+    EXPECT_EQ(forward.corners[i].convex, backward.corners[i].convex);
+  }
   EXPECT_EQ(ring_area(forward.vertices), 0.625);
 }
 
@@ -108,7 +127,7 @@ TEST(Polygon, DirectionsAreSortedExactly) {
     const auto direction = [&](Index i) {
       const Point& p = polygon.vertices[i];
       const Point& q = polygon.vertices[polygon.next(i)];
-      const bool up = polygon.upper[i] != 0;
+      const bool up = polygon.corners[i].upper;
       return up ? std::pair(rational(q.x) - rational(p.x), rational(q.y) - rational(p.y))
                 : std::pair(rational(p.x) - rational(q.x), rational(p.y) - rational(q.y));
     };
@@ -118,8 +137,8 @@ TEST(Polygon, DirectionsAreSortedExactly) {
       for (Index j = 0; j < polygon.size(); ++j) {
         const auto e = direction(j);
         const int turn = Rational(d.first * e.second - d.second * e.first).sign();
-        const int order = polygon.line_of_edge[i] < polygon.line_of_edge[j]   ? 1
-                          : polygon.line_of_edge[i] > polygon.line_of_edge[j] ? -1
+        const int order = polygon.corners[i].line < polygon.corners[j].line   ? 1
+                          : polygon.corners[i].line > polygon.corners[j].line ? -1
                                                                               : 0;
         ASSERT_EQ(turn, order);
       }
@@ -138,11 +157,11 @@ TEST(Polygon, ReflectionIsThePolygonOfTheReflectedRing) {
     for (Index i = 0; i < expected.size(); ++i) {
       const Index j = (i + shift) % expected.size();
       ASSERT_EQ(reflection.vertices[j], expected.vertices[i]);
-      ASSERT_EQ(reflection.vertex_number[j], expected.vertex_number[i]);
-      ASSERT_EQ(reflection.edge_number[j], expected.edge_number[i]);
-      ASSERT_EQ(reflection.convex[j], expected.convex[i]);
-      ASSERT_EQ(reflection.upper[j], expected.upper[i]);
-      ASSERT_EQ(reflection.line_of_edge[j], expected.line_of_edge[i]);
+      ASSERT_EQ(reflection.corners[j].vertex_number, expected.corners[i].vertex_number);
+      ASSERT_EQ(reflection.corners[j].edge_number, expected.corners[i].edge_number);
+      ASSERT_EQ(reflection.corners[j].convex, expected.corners[i].convex);
+      ASSERT_EQ(reflection.corners[j].upper, expected.corners[i].upper);
+      ASSERT_EQ(reflection.corners[j].line, expected.corners[i].line);
     }
   }
 }

@@ -158,8 +158,8 @@ void expect_right_numbers(const Ring& ring_a, const Ring& ring_b) {
                      Rational(Rational(q.y) - Rational(p.y)));
   };
   const auto cone = [](const Polygon& polygon, const Ranks& ranks, Index i) {
-    return polygon.convex[i] != 0 ? std::pair(true, ranks[polygon.previous(i)])
-                                  : std::pair(false, Rank{0});
+    return polygon.corners[i].convex ? std::pair(true, ranks[polygon.previous(i)])
+                                     : std::pair(false, Rank{0});
   };
   int equal = 0;
   for (Index i = 0; i < a.size(); ++i) {
