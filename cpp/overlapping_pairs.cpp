@@ -70,24 +70,18 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points) :
   const Frame frame(box_of(ring));
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
     Ways ways = are_exact ? all_ways : 0;
-    float x[width + 1]{};
-    float y[width + 1]{};
-    x[0] = frame.x(ring[first].x);
-    y[0] = frame.y(ring[first].y);
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-      const std::size_t k = first + lane;
-      const Point& p = ring[k];
-      const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
-      x[lane + 1] = frame.x(q.x);
-      y[lane + 1] = frame.y(q.y);
-      if (are_exact) {
-        ways &= ways_of(p, q);
-      }
+    const auto point = [&](std::size_t lane) -> const Point& {
+      return ring[first + lane < ring.size() ? first + lane : 0];
+    };
+    for (std::uint32_t lane = 0; are_exact && lane < count; ++lane) {
+      ways &= ways_of(point(lane), point(lane + 1));
     }
-    const FloatLanes from_x = FloatLanes::load(x);
-    const FloatLanes from_y = FloatLanes::load(y);
-    const FloatLanes to_x = FloatLanes::load(x + 1);
-    const FloatLanes to_y = FloatLanes::load(y + 1);
+    const auto x = [&](std::size_t lane) { return frame.x(point(lane).x); };
+    const auto y = [&](std::size_t lane) { return frame.y(point(lane).y); };
+    const FloatLanes from_x = FloatLanes::each(x);
+    const FloatLanes from_y = FloatLanes::each(y);
+    const FloatLanes to_x = from_x.followed_by(x(width));
+    const FloatLanes to_y = from_y.followed_by(y(width));
     (smaller(from_x, to_x) - margin).store(block.x0);
     (smaller(from_y, to_y) - margin).store(block.y0);
     (larger(from_x, to_x) + margin).store(block.x1);
@@ -106,7 +100,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     first_block_[levels_ + 1] = first_block_[levels_] + count;
     ++levels_;
   } while (count > 1);
-  nodes_.resize(first_block_[levels_]);
+  nodes_.resize(first_block_[levels_], boost::container::default_init);
 
   const auto leave_out = [](Block& block, std::uint32_t first) {
     for (std::uint32_t lane = first; lane < width; ++lane) {
@@ -123,6 +117,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     for (std::uint32_t node = 0; node < nodes(level); ++node) {
       const std::uint32_t lanes = children(level, node);
       Node& parent = nodes_[first_block_[level] + node];
+      parent.ways = all_ways;
       for (std::uint32_t lane = 0; lane < lanes; ++lane) {
         const std::uint32_t child = width * node + lane;
         parent.block.put(lane, block(level - 1, child).hull());

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <bit>
+#include <boost/container/vector.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -151,7 +152,7 @@ class OverlappingPairs {
 
   struct Node {
     Block block;
-    Ways ways = all_ways;
+    Ways ways;
   };
 
   // Of so many boxes: fill(block, first, count) writes those from `first` on to a block of edges,
@@ -178,7 +179,7 @@ class OverlappingPairs {
   unsigned after_first_;  // the lanes that a box in the first lane of its node may be paired with
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
-  std::vector<Node> nodes_;
+  boost::container::vector<Node> nodes_;
 };
 
 }  // namespace gcv

@@ -11,6 +11,8 @@
 #include <limits>
 #include <span>
 
+#include "lanes.hpp"
+
 namespace gcv {
 
 struct Point {
@@ -41,11 +43,14 @@ inline Box hull_of(const Box& p, const Box& q) {
 
 // That of some points, at least one.
 inline Box box_of(std::span<const Point> points) {
-  Box box = box_of(points.front(), points.front());
-  for (const Point& p : points) {
-    box = hull_of(box, {p.x, p.y, p.x, p.y});
+  PairOfDoubles low{points.front().x, points.front().y};
+  PairOfDoubles high = low;
+  for (const Point& point : points) {
+    const PairOfDoubles p{point.x, point.y};
+    low = p < low ? p : low;
+    high = p > high ? p : high;
   }
-  return box;
+  return {low[0], low[1], high[0], high[1]};
 }
 
 // The point a + b of the sum.

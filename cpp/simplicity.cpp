@@ -166,13 +166,30 @@ std::size_t next_in(std::span<const Point> ring, std::size_t i) {
   return i + 1 == ring.size() ? 0 : i + 1;
 }
 
-// Does the ring turn back at vertex i, so that the edges before and behind it overlap?
-bool folds_back(std::span<const Point> ring, std::size_t i, Tally& tally) {
-  const Point& p = ring[i == 0 ? ring.size() - 1 : i - 1];
-  const Point& q = ring[i];
-  const Point& r = ring[next_in(ring, i)];
-  return lexicographically_less(p, q) != lexicographically_less(q, r) &&
-         orientation(p, q, r, tally) == 0;
+// Calls visit(i) for the vertices where the ring turns back, so that the edges before and behind
+// them overlap, until it returns false.
+template <class Visit>
+void for_each_fold(std::span<const Point> ring, Visit visit) {
+  Tally tally;
+  std::size_t before = ring.size() - 1;
+  bool forwards = lexicographically_less(ring[before], ring[0]);
+  for (std::size_t i = 0; i < ring.size(); before = i++) {
+    const std::size_t next = next_in(ring, i);
+    const bool were_forwards = std::exchange(forwards, lexicographically_less(ring[i], ring[next]));
+    if (forwards != were_forwards && orientation(ring[before], ring[i], ring[next], tally) == 0 &&
+        !visit(i)) {
+      return;
+    }
+  }
+}
+
+bool folds_back_somewhere(std::span<const Point> ring) {
+  bool folds = false;
+  for_each_fold(ring, [&](std::size_t /*vertex*/) {
+    folds = true;
+    return false;
+  });
+  return folds;
 }
 
 // Are edges e and f no neighbours, and do they meet?
@@ -189,11 +206,8 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
 bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
   constexpr std::uint64_t pairs_per_edge = 8;
   constexpr std::size_t many_edges = 4096;
-  Tally tally;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    if (folds_back(ring, i, tally)) {
-      return false;
-    }
+  if (folds_back_somewhere(ring)) {
+    return false;
   }
   const OverlappingPairs pairs(ring);
   const std::uint32_t level =
@@ -237,12 +251,11 @@ bool is_counter_clockwise(std::span<const Point> ring) {
 std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
   std::vector<Conflict> conflicts;
   Tally tally;
-  for (std::size_t e = 0; e < ring.size(); ++e) {
-    const std::size_t f = next_in(ring, e);
-    if (folds_back(ring, f, tally)) {
-      conflicts.push_back({std::min(e, f), std::max(e, f)});
-    }
-  }
+  for_each_fold(ring, [&](std::size_t f) {
+    const std::size_t e = (f == 0 ? ring.size() : f) - 1;
+    conflicts.push_back({std::min(e, f), std::max(e, f)});
+    return true;
+  });
   OverlappingPairs(ring).visit_all([&](std::size_t e, std::size_t f) {
     if (conflicting(ring, e, f, tally)) {
       conflicts.push_back({std::min(e, f), std::max(e, f)});
@@ -259,12 +272,10 @@ std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring) {
   constexpr std::uint64_t pairs_per_edge = 64;
   std::vector<std::uint8_t> is_wrong(ring.size());
   Tally tally;
-  for (std::size_t e = 0; e < ring.size(); ++e) {
-    const std::size_t f = next_in(ring, e);
-    if (folds_back(ring, f, tally)) {
-      is_wrong[e] = is_wrong[f] = 1;
-    }
-  }
+  for_each_fold(ring, [&](std::size_t f) {
+    is_wrong[(f == 0 ? ring.size() : f) - 1] = is_wrong[f] = 1;
+    return true;
+  });
   const bool all_seen = OverlappingPairs(ring).visit_some(
       pairs_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
         if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
