@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 
@@ -12,18 +13,24 @@ namespace gcv {
 
 namespace {
 
-// Beyond these, a search for each step takes less.
+// Beyond these, a search for each step takes less. Long gaps tell early that much of the cycle lies
+// deep inside the sum, where all is near all.
 constexpr std::size_t most_links = 16384;
 constexpr std::size_t most_links_per_vertex = 4;
+constexpr double most_gaps = 0.75;     // of the length of all edges
+constexpr std::size_t few_links = 64;  // whose lengths tell little
 constexpr std::size_t most_pairs_per_link = 8;
 constexpr std::uint8_t most_near = 64;
 
 }  // namespace
 
 // The edges one after the other. At a convex vertex of the other polygon follow those edges of the
-// convex one whose directions lie in its cone; at a reflex vertex, the convex one turns back. To an
-// edge of the other polygon that is parallel to one of the convex one, both of its vertices
-// contribute.
+// convex one whose directions lie in its cone; at a reflex vertex, the convex one turns back.
+//
+// Where an edge of the other polygon has the direction of one of the convex one, the superset has
+// two ways along the same line: first the one and then the other, or the other way round. If the
+// former starts or ends in a convex vertex, both are whole and coincide, and one is taken. Else
+// there are two translated edges, one from each end of the other's.
 class ConvolutionCycle::Tracing {
  public:
   explicit Tracing(const Operands& operands)
@@ -34,14 +41,18 @@ class ConvolutionCycle::Tracing {
         convex_ranks_(convex_is_a_ ? operands.directions.rank_a : operands.directions.rank_b),
         other_ranks_(convex_is_a_ ? operands.directions.rank_b : operands.directions.rank_a) {}
 
-  // False where there are too many.
+  // False where there are too many links, or too long gaps.
   bool run() {
     const std::size_t vertices = std::size_t{convex_.size()} + other_.size();
     const std::size_t most = std::min(most_links, most_links_per_vertex * vertices);
+    if (vertices > most) {
+      return false;
+    }
     links.reserve(vertices + vertices / 4);
     starts.reserve(vertices + vertices / 4);
     Rank in = other_ranks_.back();
     Index k = first_vertex(in);
+    end_ = {0, k};
     for (Index i = 0; i < other_.size(); ++i) {
       const Rank out = other_ranks_[i];
       if (other_.corners[i].convex) {
@@ -58,12 +69,11 @@ class ConvolutionCycle::Tracing {
         k = convex_.next(k);
         add_translated(i, k);
       }
-      if (links.size() > most) {
+      if (links.size() > most || (links.size() > few_links && gaps_ > most_gaps * edges_)) {
         return false;
       }
       in = out;
     }
-    go_to(first_);
     return true;
   }
 
@@ -82,8 +92,9 @@ class ConvolutionCycle::Tracing {
     return operands_.directions.angle(from, to);
   }
 
-  // Where the cycle is when it comes to vertex 0, which is convex, along an edge of that rank: at
-  // the end of an edge of the convex polygon with the same rank, if the vertex before is convex.
+  // The vertex of the convex polygon with which the cycle comes to vertex 0 of the other one, which
+  // is convex, along an edge of that rank: behind an edge with the same rank, or else, if the
+  // vertex before is reflex, in front of it.
   [[nodiscard]] Index first_vertex(Rank in) const {
     Index k = 0;
     const auto before = [&] { return convex_ranks_[convex_.previous(k)]; };
@@ -100,26 +111,25 @@ class ConvolutionCycle::Tracing {
     add(corner_, convex_ranks_[k], {i, k}, {i, convex_.next(k)});
   }
 
-  // Behind a gap, where there is one.
+  // Behind a gap, if there is one. There is none before the first edge, nor behind the last: once
+  // round, the convex polygon has turned once, too.
   void add(EdgeName::Kind kind, Rank rank, const Sum& start, const Sum& end) {
-    if (links.empty()) {
-      first_ = start;
-    } else {
-      go_to(start);
+    if (!(start == end_)) {
+      link(corner_, 0, end_, true);
     }
     link(kind, rank, start, false);
     end_ = end;
   }
-  void go_to(const Sum& start) {
-    if (!(start == end_)) {
-      link(corner_, 0, end_, true);
-    }
-  }
   void link(EdgeName::Kind kind, Rank rank, const Sum& start, bool is_gap) {
     const Index i = convex_is_a_ ? start.k : start.i;
     const Index j = convex_is_a_ ? start.i : start.k;
+    const Point p = operands_.relative(i, j);
+    if (!links.empty()) {
+      const Point& q = starts.back();
+      (links.back().is_gap ? gaps_ : edges_) += std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
+    }
     links.push_back({{{kind, i, j}, rank}, is_gap});
-    starts.push_back(operands_.relative(i, j));
+    starts.push_back(p);
   }
 
   const Operands& operands_;
@@ -130,8 +140,9 @@ class ConvolutionCycle::Tracing {
   const Polygon& other_;
   const Ranks& convex_ranks_;
   const Ranks& other_ranks_;
-  Sum first_{};
-  Sum end_{};
+  Sum end_{};         // of the links so far
+  double edges_ = 0;  // the sum of their lengths, each the larger one along an axis
+  double gaps_ = 0;
 };
 
 std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands) {
@@ -156,12 +167,11 @@ bool ConvolutionCycle::find_near(std::span<const Point> starts) {
     Index second;
   };
   boost::container::small_vector<Pair, 32> pairs;
-  const auto size = static_cast<Index>(links_.size());
   const auto visit = [&](std::size_t p, std::size_t q) {
     const auto first = static_cast<Index>(p);
     const auto second = static_cast<Index>(q);
-    const bool are_neighbours = first + 1 == second || (first == 0 && second + 1 == size);
-    if (are_neighbours || links_[p].is_gap || links_[q].is_gap) {
+    const bool are_neighbours = first + 1 == second || (first == 0 && second + 1 == size());
+    if (are_neighbours || is_gap(first) || is_gap(second)) {
       return true;
     }
     pairs.push_back({first, second});

@@ -2,9 +2,9 @@
 //
 // The superset edges of a convex polygon and another one, in the order of their convolution cycle
 // (Guibas, Ramshaw and Stolfi, "A kinetic framework for computational geometry", 1983): along the
-// boundary of the other polygon, while the convex one turns with it. Most of them lie on the outer
-// face, and most come near no others but their neighbours: one look for pairs that are near each
-// other serves the whole walk.
+// boundary of the other polygon, while a tangent turns round the convex one. Where the convex one
+// is small beside the reflex parts of the other, most of them lie on the outer face and come near
+// no others but their neighbours: one search for pairs that are near serves the whole walk.
 #pragma once
 
 #include <cstdint>
@@ -19,9 +19,13 @@ namespace gcv {
 
 class ConvolutionCycle {
  public:
-  // None where not just one polygon is convex, or too many edges come near each other. O(n + m).
+  // None where not just one polygon is convex, or where searches for each step would take less. Of
+  // superset edges that lie on others of the same direction, some are left out. O(n + m).
   static std::optional<ConvolutionCycle> find(const Operands& operands);
 
+  // Edges and gaps are numbered together, from 0.
+  [[nodiscard]] Index size() const { return static_cast<Index>(links_.size()); }
+  [[nodiscard]] bool is_gap(Index number) const { return links_[number].is_gap; }
   [[nodiscard]] const PairEdge& edge(Index number) const { return links_[number].edge; }
 
   // The number of the edge that starts in a vertex of the hull of the sum. O(n + m).
@@ -34,10 +38,10 @@ class ConvolutionCycle {
     return std::span(near_).subspan(link.first_near, link.near_count);
   }
 
-  // The edge that follows in the cycle; none where that has a gap, at a reflex vertex.
+  // The edge that follows in the cycle; none where that has a gap.
   [[nodiscard]] std::optional<Index> next(Index number) const {
-    const Index next = number + 1 == links_.size() ? 0 : number + 1;
-    return links_[next].is_gap ? std::nullopt : std::optional(next);
+    const Index next = number + 1 == size() ? 0 : number + 1;
+    return is_gap(next) ? std::nullopt : std::optional(next);
   }
 
   // The same where no other edge comes near: then it is the only way on.
@@ -48,7 +52,7 @@ class ConvolutionCycle {
  private:
   class Tracing;
 
-  // An edge, or else the way from the end of the edge before it to the start of the next one.
+  // An edge, or else a gap: the way from the end of one edge to the start of the next.
   struct Link {
     PairEdge edge;
     bool is_gap;

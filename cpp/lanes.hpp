@@ -150,18 +150,6 @@ struct FloatLanes {
     return lanes;
   }
 
-  // number(lane) in each lane. Numbers that were stored one by one load slowly as one vector.
-  template <class NumberOf>
-  static FloatLanes each(NumberOf number) {
-    return {FourFloats{number(0), number(1), number(2), number(3)},
-            FourFloats{number(4), number(5), number(6), number(7)}};
-  }
-  // The numbers of all lanes but the first, and another one behind them.
-  [[nodiscard]] FloatLanes followed_by(Number number) const {
-    return {__builtin_shufflevector(low, high, 1, 2, 3, 4),
-            __builtin_shufflevector(high, FourFloats{number}, 1, 2, 3, 4)};
-  }
-
   void store(Number* numbers) const {
     std::memcpy(numbers, &low, sizeof low);
     std::memcpy(numbers + 4, &high, sizeof high);

@@ -81,9 +81,9 @@ struct Arc {
   Tally tally;
 };
 
-// The superset in one of two forms: all of it in a tree where it is small, or else implicit. So it
-// is, too, where edges are too short for the grid of the tree, or repeated chains prevail, so that
-// too many edges coincide.
+// The superset in one of three forms: as a cycle, where that can be; in a tree, where it is small;
+// or else implicit. So it is, too, where edges are too short for the grid of the tree, or repeated
+// chains prevail, so that too many edges coincide.
 class Superset {
  public:
   explicit Superset(const Operands& operands)

@@ -70,18 +70,24 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points) :
   const Frame frame(box_of(ring));
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
     Ways ways = are_exact ? all_ways : 0;
-    const auto point = [&](std::size_t lane) -> const Point& {
-      return ring[first + lane < ring.size() ? first + lane : 0];
-    };
-    for (std::uint32_t lane = 0; are_exact && lane < count; ++lane) {
-      ways &= ways_of(point(lane), point(lane + 1));
+    float x[width + 1]{};
+    float y[width + 1]{};
+    x[0] = frame.x(ring[first].x);
+    y[0] = frame.y(ring[first].y);
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      const std::size_t k = first + lane;
+      const Point& p = ring[k];
+      const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
+      x[lane + 1] = frame.x(q.x);
+      y[lane + 1] = frame.y(q.y);
+      if (are_exact) {
+        ways &= ways_of(p, q);
+      }
     }
-    const auto x = [&](std::size_t lane) { return frame.x(point(lane).x); };
-    const auto y = [&](std::size_t lane) { return frame.y(point(lane).y); };
-    const FloatLanes from_x = FloatLanes::each(x);
-    const FloatLanes from_y = FloatLanes::each(y);
-    const FloatLanes to_x = from_x.followed_by(x(width));
-    const FloatLanes to_y = from_y.followed_by(y(width));
+    const FloatLanes from_x = FloatLanes::load(x);
+    const FloatLanes from_y = FloatLanes::load(y);
+    const FloatLanes to_x = FloatLanes::load(x + 1);
+    const FloatLanes to_y = FloatLanes::load(y + 1);
     (smaller(from_x, to_x) - margin).store(block.x0);
     (smaller(from_y, to_y) - margin).store(block.y0);
     (larger(from_x, to_x) + margin).store(block.x1);

@@ -35,6 +35,7 @@ std::vector<System> systems() {
       {"libgcv exact tier only", Role::libgcv, any, libgcv_cold(GCV_EXACT_LIBRARY)},
       {"libgcv plain doubles", Role::libgcv, any, libgcv_cold(GCV_PLAIN_LIBRARY)},
       {"libgcv without capsules", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CAPSULES_LIBRARY)},
+      {"libgcv without cycle", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CONVOLUTION_CYCLE_LIBRARY)},
       {"libgcv without tree", Role::libgcv, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
       {"libgcv without windows", Role::libgcv, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
       {"libgcv without repeats", Role::libgcv, 1e8, libgcv_cold(GCV_NO_REPEATED_CHAINS_LIBRARY)},

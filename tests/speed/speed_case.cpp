@@ -91,15 +91,30 @@ Pair coasts() {
   return {polygon, coast(random, 75)};
 }
 
+const Polygon octagon{{-2, -5}, {2, -5}, {5, -2}, {5, 2}, {2, 5}, {-2, 5}, {-5, 2}, {-5, -2}};
+
+Pair part_and_convex() { return {parts().a, octagon}; }
+
+// Most of the superset lies deep inside the sum.
+Pair coast_and_convex() {
+  Random random(3);
+  return {coast(random, 250), scaled(octagon, 200)};
+}
+
 Pair key_in_slot() {
   const Slot slot{3, 4, 7, 5};
   const Map turn = rotation(7, 2);
   return {mapped(block_with(slot), turn), negated(mapped(key_of(slot), turn))};
 }
 
-const std::map<std::string, std::function<Pair()>> cases{
-    {"convex", convex}, {"parts", parts},   {"stars", stars},
-    {"combs", combs},   {"coasts", coasts}, {"key_in_slot", key_in_slot}};
+const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
+                                                         {"parts", parts},
+                                                         {"stars", stars},
+                                                         {"combs", combs},
+                                                         {"coasts", coasts},
+                                                         {"key_in_slot", key_in_slot},
+                                                         {"part_and_convex", part_and_convex},
+                                                         {"coast_and_convex", coast_and_convex}};
 
 void require(gcv_status status) {
   if (status != GCV_OK) {
