@@ -144,8 +144,8 @@ class Walker {
 
   // The first vertex has no arriving edge yet: it is that of the walk that ends there.
   Arc run(const HullVertex& first, const HullVertex& last) {
-    const std::size_t guess = std::min<std::size_t>(operands_.a.size() + operands_.b.size(), 4096);
-    walk_.vertices.reserve(guess);
+    const std::size_t vertices = std::size_t{operands_.a.size()} + operands_.b.size();
+    walk_.vertices.reserve(std::min<std::size_t>(vertices + vertices / 4, 4096));
     PairEdge next = first_edge(first.i, first.j);
     EdgeName arriving = next;
     bool turns = true;
@@ -157,10 +157,19 @@ class Walker {
                                      : RingVertex::crossing(arriving, next));
       }
       count_step();
-      if (!set_out_alone(next)) {
-        set_out(next);
-        find_step();
+      if (const PairEdge* const onwards = only_way_on()) {
+        line_.edge = next;
+        stop_at({onwards->i, onwards->j});
+        if (place_.sum == VertexSum{last.i, last.j}) {
+          break;
+        }
+        arriving = next;
+        turns = onwards->rank != next.rank;
+        next = *onwards;
+        continue;
       }
+      set_out(next);
+      find_step();
       if (event_) {
         next = event_->line.edge;
         place_ = event_->place;
@@ -201,20 +210,16 @@ class Walker {
     onwards_.reset();
   }
 
-  // The same for an edge of a cycle that no others come near but its neighbours: the one that
-  // follows is the way on. False where it is not such an edge.
-  bool set_out_alone(const PairEdge& edge) {
+  // Where the superset is a cycle, and no edges come near s but its neighbours: the one behind it,
+  // which the walk is on then.
+  const PairEdge* only_way_on() {
     const auto& cycle = superset_.cycle();
     const std::optional<Index> next = cycle ? cycle->only_way_on(number_) : std::nullopt;
     if (!next) {
-      return false;
+      return nullptr;
     }
     number_ = *next;
-    line_.edge = edge;
-    event_.reset();
-    onwards_ = cycle->edge(*next);
-    end_sum_ = {onwards_->i, onwards_->j};
-    return true;
+    return &cycle->edge(number_);
   }
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
