@@ -218,6 +218,7 @@ class Walker {
     if (!next) {
       return nullptr;
     }
+    ++walk_.candidates;
     number_ = *next;
     return &cycle->edge(number_);
   }
