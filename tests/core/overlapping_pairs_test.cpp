@@ -70,6 +70,31 @@ TEST(OverlappingPairs, FindsEachPairOnceOnEveryLevel) {
   EXPECT_LT(visited, possible / 10);
 }
 
+// Is the pair of edges i and j among those that are visited?
+bool visits(const OverlappingPairs& pairs, std::size_t i, std::size_t j) {
+  bool found = false;
+  pairs.visit_all([&](std::size_t k, std::size_t l) { found = found || Pair{k, l} == Pair{i, j}; });
+  return found;
+}
+
+TEST(OverlappingPairs, OfRoundedPointsTakeRoomForRounding) {
+  using Points = OverlappingPairs::Points;
+  const double a = 0.5;
+  const double b = a + 0x1p-21;
+  const test::Ring slot{{0, 0}, {1, 0}, {1, 1}, {b, 1}, {b, 0.25}, {a, 0.25}, {a, 1}, {0, 1}};
+  EXPECT_FALSE(visits(OverlappingPairs(slot, Points::exact), 3, 5));
+  EXPECT_TRUE(visits(OverlappingPairs(slot, Points::rounded), 3, 5));
+
+  // In lexicographic order, which rounding may have made.
+  test::Ring zigzag;
+  for (int k = 0; k < 9; ++k) {
+    zigzag.push_back({k * 0x1p-40, k % 2 * 1.0});
+  }
+  zigzag.push_back({1, 0.5});
+  EXPECT_FALSE(visits(OverlappingPairs(zigzag, Points::exact), 2, 4));
+  EXPECT_TRUE(visits(OverlappingPairs(zigzag, Points::rounded), 2, 4));
+}
+
 TEST(OverlappingPairs, AreFoundWhereTheExtentsOverflow) {
   std::vector<Box> boxes;
   for (int k = 0; k < 100; ++k) {
