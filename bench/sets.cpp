@@ -249,7 +249,7 @@ std::vector<Pair> rotated_slots(int count) {
   return pairs;
 }
 
-std::vector<Point> tidy(const std::vector<Point>& ring) {
+PointVector tidy(const PointVector& ring) {
   Ring result;
   for (const Point& p : ring) {
     if (result.empty() || !(p == result.back())) {

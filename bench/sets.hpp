@@ -13,7 +13,7 @@
 
 namespace gcv::bench {
 
-using Rings = std::pair<std::vector<Point>, std::vector<Point>>;
+using Rings = std::pair<PointVector, PointVector>;
 
 struct Pair {
   std::string name;
@@ -38,6 +38,6 @@ std::vector<Pair> accuracy_pairs(bool quick);
 std::vector<Pair> rotated_slots(int count);
 
 // What every system is given: counter-clockwise, not closed, no vertex repeated in a row.
-std::vector<Point> tidy(const std::vector<Point>& ring);
+PointVector tidy(const PointVector& ring);
 
 }  // namespace gcv::bench

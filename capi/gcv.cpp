@@ -54,7 +54,9 @@ namespace {
 
 using gcv::Error;
 using gcv::Point;
+using gcv::PointVector;
 using gcv::Status;
+using gcv::capi::caught;
 using gcv::capi::fill;
 using gcv::capi::guarded;
 using gcv::capi::require;
@@ -62,13 +64,13 @@ using gcv::capi::require;
 #define GCV_TEXT_OF(x) #x
 #define GCV_TEXT(x) GCV_TEXT_OF(x)
 
-gcv_polygon* new_polygon(std::vector<Point> boundary) {
+gcv_polygon* new_polygon(PointVector boundary) {
   auto polygon =
       std::make_shared<const gcv::Polygon>(gcv::make_polygon(std::move(boundary), "polygon"));
   return new gcv_polygon(std::move(polygon));
 }
 
-std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_t stride) {
+PointVector read_vertices(const double* xy, std::size_t count, std::size_t stride) {
   constexpr std::size_t most = 0x7fffffff;
   if (count > most) {
     throw Error(Status::invalid_argument, "vertex_count is %zu, at most %zu is possible", count,
@@ -79,7 +81,7 @@ std::vector<Point> read_vertices(const double* xy, std::size_t count, std::size_
                 sizeof(Point));
   }
   const std::size_t step = stride == 0 ? sizeof(Point) : stride;
-  std::vector<Point> points(count);
+  PointVector points(count);
   const char* next = reinterpret_cast<const char*>(xy);
   for (Point& point : points) {
     std::memcpy(&point, next, sizeof point);
@@ -203,7 +205,7 @@ void give_finite(double value, const char* what, double* out) {
   *out = value;
 }
 
-void fill_points(const std::vector<Point>& points, double* xy, std::size_t capacity,
+void fill_points(const PointVector& points, double* xy, std::size_t capacity,
                  std::size_t* required) {
   fill(points.size(), "vertices", "xy", xy, capacity, required,
        [&](double* out) { std::memcpy(out, points.data(), points.size() * sizeof(Point)); });
@@ -412,7 +414,7 @@ gcv_status gcv_polygon_create_wkt(const char* text, size_t length, gcv_polygon**
 void gcv_polygon_destroy(gcv_polygon* polygon) { delete polygon; }
 
 gcv_status gcv_polygon_vertex_count(const gcv_polygon* polygon, size_t* out) {
-  return guarded([&] {
+  return caught([&] {
     require(polygon, "polygon");
     require(out, "out");
     *out = polygon->polygon->vertices.size();
@@ -421,7 +423,7 @@ gcv_status gcv_polygon_vertex_count(const gcv_polygon* polygon, size_t* out) {
 
 gcv_status gcv_polygon_vertices(const gcv_polygon* polygon, double* xy, size_t capacity,
                                 size_t* required) {
-  return guarded([&] {
+  return caught([&] {
     require(polygon, "polygon");
     fill_points(polygon->polygon->vertices, xy, capacity, required);
   });
@@ -436,7 +438,7 @@ gcv_status gcv_polygon_area(const gcv_polygon* polygon, double* out) {
 }
 
 gcv_status gcv_polygon_bounds(const gcv_polygon* polygon, double out[4]) {
-  return guarded([&] {
+  return caught([&] {
     require(polygon, "polygon");
     require(out, "out");
     const gcv::Box& box = polygon->polygon->bounds;
@@ -524,7 +526,7 @@ gcv_status gcv_minkowski_sum_many(const gcv_polygon* const* a, const gcv_polygon
 void gcv_outer_face_destroy(gcv_outer_face* face) { delete face; }
 
 gcv_status gcv_outer_face_vertex_count(const gcv_outer_face* face, size_t* out) {
-  return guarded([&] {
+  return caught([&] {
     require(face, "face");
     require(out, "out");
     *out = face->face.rounded.vertices.size();
@@ -533,14 +535,14 @@ gcv_status gcv_outer_face_vertex_count(const gcv_outer_face* face, size_t* out) 
 
 gcv_status gcv_outer_face_vertices(const gcv_outer_face* face, double* xy, size_t capacity,
                                    size_t* required) {
-  return guarded([&] {
+  return caught([&] {
     require(face, "face");
     fill_points(face->face.rounded.vertices, xy, capacity, required);
   });
 }
 
 gcv_status gcv_outer_face_exact_vertex_count(const gcv_outer_face* face, size_t* out) {
-  return guarded([&] {
+  return caught([&] {
     require(face, "face");
     require(out, "out");
     *out = face->face.exact.size();

@@ -2,7 +2,8 @@
 //
 // What stands between the C functions and the core: every entry point runs inside
 // `guarded`, which lets no exception through and keeps the caller's floating-point
-// environment out of the computation, and the computation out of it.
+// environment out of the computation, and the computation out of it; those that copy
+// what is there, inside `caught`, which lets no exception through.
 #pragma once
 
 #include <algorithm>
@@ -66,15 +67,21 @@ class DefaultFloatingPoint {
 // The exception that is being handled, as an error.
 Error current_error() noexcept;
 
+// Of a body that copies and computes nothing.
 template <class Body>
-gcv_status guarded(Body body) noexcept {
-  const DefaultFloatingPoint environment;
+gcv_status caught(Body body) noexcept {
   try {
     body();
     return GCV_OK;
   } catch (...) {
     return record(current_error());
   }
+}
+
+template <class Body>
+gcv_status guarded(Body body) noexcept {
+  const DefaultFloatingPoint environment;
+  return caught(body);
 }
 
 inline void require(const void* pointer, const char* name) {

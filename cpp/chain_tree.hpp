@@ -32,7 +32,7 @@ struct ChainTree {
     std::uint32_t index;
   };
 
-  std::vector<Block> blocks;               // from the root's to those of edges
+  Buffer<Block> blocks;                    // from the root's to those of edges
   std::vector<std::uint32_t> first_block;  // of the children of nodes of depth d
   Box box{};                               // the root's
 

@@ -52,24 +52,30 @@ class ConvolutionCycle::Tracing {
     starts.reserve(vertices + vertices / 4);
     Rank in = other_ranks_.back();
     Index k = first_vertex(in);
-    end_ = {0, k};
     for (Index i = 0; i < other_.size(); ++i) {
       const Rank out = other_ranks_[i];
       if (other_.corners[i].convex) {
-        for (; angle(in, convex_ranks_[k]) <= angle(in, out); k = convex_.next(k)) {
-          add_corner(i, k);
+        const Rank cone = angle(in, out);
+        for (; angle(in, convex_ranks_[k]) <= cone; k = convex_.next(k)) {
+          add(corner_, convex_ranks_[k], i, k);
         }
       } else {
-        while (angle(out, convex_ranks_[convex_.previous(k)]) <= angle(out, in)) {
+        const Index from = k;
+        const Rank cone = angle(out, in);
+        while (angle(out, convex_ranks_[convex_.previous(k)]) <= cone) {
           k = convex_.previous(k);
         }
+        if (k != from) {
+          add_gap(i, from, i, k);
+        }
       }
-      add_translated(i, k);
+      add(translated_, out, i, k);
       if (convex_ranks_[k] == out && !other_.corners[other_.next(i)].convex) {
-        k = convex_.next(k);
-        add_translated(i, k);
+        const Index from = std::exchange(k, convex_.next(k));
+        add_gap(other_.next(i), from, i, k);
+        add(translated_, out, i, k);
       }
-      if (links.size() > most || (links.size() > few_links && gaps_ > most_gaps * edges_)) {
+      if (starts.size() > most || (gaps_ > short_gaps_ && gaps_are_long())) {
         return false;
       }
       in = out;
@@ -78,16 +84,9 @@ class ConvolutionCycle::Tracing {
   }
 
   std::vector<Link> links;
-  std::vector<Point> starts;  // of each link, in relative coordinates
+  PointVector starts;  // of each link, in relative coordinates
 
  private:
-  // Vertex i of the other polygon and vertex k of the convex one.
-  struct Sum {
-    Index i;
-    Index k;
-    friend bool operator==(const Sum&, const Sum&) = default;
-  };
-
   [[nodiscard]] Rank angle(Rank from, Rank to) const {
     return operands_.directions.angle(from, to);
   }
@@ -104,32 +103,43 @@ class ConvolutionCycle::Tracing {
     return before() == in && !other_.corners.back().convex ? convex_.previous(k) : k;
   }
 
-  void add_translated(Index i, Index k) {
-    add(translated_, other_ranks_[i], {i, k}, {other_.next(i), k});
-  }
-  void add_corner(Index i, Index k) {
-    add(corner_, convex_ranks_[k], {i, k}, {i, convex_.next(k)});
+  [[nodiscard]] double extent() const {
+    const Box& a = operands_.a.bounds;
+    const Box& b = operands_.b.bounds;
+    return std::max(a.x1 - a.x0 + (b.x1 - b.x0), a.y1 - a.y0 + (b.y1 - b.y0));
   }
 
-  // Behind a gap, if there is one. There is none before the first edge, nor behind the last: once
-  // round, the convex polygon has turned once, too.
-  void add(EdgeName::Kind kind, Rank rank, const Sum& start, const Sum& end) {
-    if (!(start == end_)) {
-      link(corner_, 0, end_, true);
-    }
-    link(kind, rank, start, false);
-    end_ = end;
+  // Vertex i of the other polygon and vertex k of the convex one.
+  [[nodiscard]] Point relative(Index i, Index k) const {
+    return convex_is_a_ ? operands_.relative(k, i) : operands_.relative(i, k);
   }
-  void link(EdgeName::Kind kind, Rank rank, const Sum& start, bool is_gap) {
-    const Index i = convex_is_a_ ? start.k : start.i;
-    const Index j = convex_is_a_ ? start.i : start.k;
-    const Point p = operands_.relative(i, j);
-    if (!links.empty()) {
-      const Point& q = starts.back();
-      (links.back().is_gap ? gaps_ : edges_) += std::max(std::abs(p.x - q.x), std::abs(p.y - q.y));
+
+  // The edge that starts there.
+  void add(EdgeName::Kind kind, Rank rank, Index i, Index k) {
+    const Index ia = convex_is_a_ ? k : i;
+    const Index ib = convex_is_a_ ? i : k;
+    links.push_back({{{kind, ia, ib}, rank}, false});
+    starts.push_back(operands_.relative(ia, ib));
+  }
+
+  // The gap from there to another sum. There is none before the first edge, nor behind the last:
+  // once round, the convex polygon has turned once, too.
+  void add_gap(Index i, Index k, Index end_i, Index end_k) {
+    add(corner_, 0, i, k);
+    links.back().is_gap = true;
+    gaps_ += length(starts.back(), relative(end_i, end_k));
+  }
+
+  // The larger one along an axis.
+  static double length(const Point& p, const Point& q) {
+    return std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+  }
+
+  bool gaps_are_long() {
+    for (; measured_ + 1 < starts.size(); ++measured_) {
+      length_ += length(starts[measured_], starts[measured_ + 1]);
     }
-    links.push_back({{{kind, i, j}, rank}, is_gap});
-    starts.push_back(p);
+    return measured_ > few_links && gaps_ > most_gaps * (length_ - gaps_);
   }
 
   const Operands& operands_;
@@ -140,9 +150,11 @@ class ConvolutionCycle::Tracing {
   const Polygon& other_;
   const Ranks& convex_ranks_;
   const Ranks& other_ranks_;
-  Sum end_{};         // of the links so far
-  double edges_ = 0;  // the sum of their lengths, each the larger one along an axis
-  double gaps_ = 0;
+  double gaps_ = 0;  // the sum of their lengths
+  // Gaps of that length are not too long: a whole cycle goes there and back through the bounds.
+  double short_gaps_ = 2 * most_gaps / (1 + most_gaps) * extent();
+  std::size_t measured_ = 0;
+  double length_ = 0;  // of so many links
 };
 
 std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands) {

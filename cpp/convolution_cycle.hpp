@@ -64,7 +64,7 @@ class ConvolutionCycle {
   bool find_near(std::span<const Point> starts);
 
   std::vector<Link> links_;
-  std::vector<Index> near_;
+  Buffer<Index> near_;
 };
 
 }  // namespace gcv

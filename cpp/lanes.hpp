@@ -155,10 +155,20 @@ struct FloatLanes {
     std::memcpy(numbers + 4, &high, sizeof high);
   }
 
+  // Lane k holds number k + distance of eight that follow each other round; distance is 1 to 4.
+  template <int distance>
+  [[nodiscard]] FloatLanes turned() const {
+    return {__builtin_shufflevector(low, high, distance, distance + 1, distance + 2, distance + 3),
+            __builtin_shufflevector(high, low, distance, distance + 1, distance + 2, distance + 3)};
+  }
+
   friend FloatLanes operator+(const FloatLanes& p, Number x) { return {p.low + x, p.high + x}; }
   friend FloatLanes operator-(const FloatLanes& p, Number x) { return {p.low - x, p.high - x}; }
   friend FloatMask operator<(const FloatLanes& p, Number x) { return {p.low < x, p.high < x}; }
   friend FloatMask operator>(const FloatLanes& p, Number x) { return {p.low > x, p.high > x}; }
+  friend FloatMask operator>(const FloatLanes& p, const FloatLanes& q) {
+    return {p.low > q.low, p.high > q.high};
+  }
 
   friend FloatLanes smaller(const FloatLanes& p, const FloatLanes& q) {
     return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
@@ -306,6 +316,19 @@ struct BoxBlock {
   [[nodiscard]] auto apart(const Box& box) const {
     return (Numbers::load(x0) > box.x1) | (Numbers::load(x1) < box.x0) |
            (Numbers::load(y0) > box.y1) | (Numbers::load(y1) < box.y0);
+  }
+  // The lanes whose boxes overlap those of the lanes so far behind them, round and round.
+  template <int distance>
+  [[nodiscard]] unsigned overlapping_at() const {
+    const Numbers all_x0 = Numbers::load(x0);
+    const Numbers all_y0 = Numbers::load(y0);
+    const Numbers all_x1 = Numbers::load(x1);
+    const Numbers all_y1 = Numbers::load(y1);
+    const auto apart = (all_x0 > all_x1.template turned<distance>()) |
+                       (all_x0.template turned<distance>() > all_x1) |
+                       (all_y0 > all_y1.template turned<distance>()) |
+                       (all_y0.template turned<distance>() > all_y1);
+    return ~apart.bits() & Numbers::all;
   }
   // The others, as bits.
   [[nodiscard]] unsigned overlapping(const Box& box) const {

@@ -76,7 +76,7 @@ class LocalSuperset {
   double leftmost_ = 0;
   std::vector<PairEdge> edges_;
   std::vector<double> x0_, y0_, x1_, y1_;
-  std::vector<double> beyond_line_, beyond_box_;
+  Buffer<double> beyond_line_, beyond_box_;
 };
 
 }  // namespace gcv

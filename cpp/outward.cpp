@@ -33,7 +33,7 @@ struct Grown {
 };
 
 Grown grow(const std::shared_ptr<const Polygon>& polygon, double d, Task& task, Tally& tally) {
-  const std::vector<Point> square{{-d, -d}, {d, -d}, {d, d}, {-d, d}};
+  const PointVector square{{-d, -d}, {d, -d}, {d, d}, {-d, d}};
   const auto growth = std::make_shared<const Polygon>(make_polygon(square, "square"));
   Walk walk = walk_outer_face(*polygon, *growth, task, tally);
   Grown grown{
@@ -72,7 +72,7 @@ double distance_bound(Point p, Point a, Point b, double unit) {
 // At least the distance of a vertex of N that no edge of O comes from to O as placed.
 double lost_distance(const Grown& grown, double unit) {
   const Polygon& n = *grown.ring.a.polygon;
-  const std::vector<Point>& places = grown.placement->places;
+  const PointVector& places = grown.placement->places;
   double distance = 0;
   const auto pass = [&](Index from, Index to, const Point& a, const Point& b) {
     while (from != to) {

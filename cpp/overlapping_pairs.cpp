@@ -49,7 +49,7 @@ OverlappingPairs::Ways OverlappingPairs::ways_of(const Point& p, const Point& q)
   return ways[bits_of(less(from, to)) | bits_of(less(to, from)) << 2U];
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1U) {
+OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : before_lanes_(FloatLanes::all) {
   Box bounds = boxes[0];
   for (const Box& box : boxes) {
     bounds = hull_of(bounds, box);
@@ -64,7 +64,8 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : after_first_(~1
   });
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points) : after_first_(~3U) {
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points)
+    : before_lanes_(0x80) {
   const bool are_exact = points == Points::exact;
   const float margin = are_exact ? 0 : 0x1p-20F;
   const Frame frame(box_of(ring));
@@ -106,7 +107,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     first_block_[levels_ + 1] = first_block_[levels_] + count;
     ++levels_;
   } while (count > 1);
-  nodes_.resize(first_block_[levels_], boost::container::default_init);
+  nodes_.resize(first_block_[levels_]);
 
   const auto leave_out = [](Block& block, std::uint32_t first) {
     for (std::uint32_t lane = first; lane < width; ++lane) {

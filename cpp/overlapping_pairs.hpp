@@ -5,14 +5,15 @@
 // boxes lie side by side and are looked at together.
 #pragma once
 
+#include <algorithm>
 #include <bit>
-#include <boost/container/vector.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "buffer.hpp"
 #include "lanes.hpp"
 #include "point.hpp"
 
@@ -95,12 +96,30 @@ class OverlappingPairs {
         return true;
       }
       const Block& block = pairs.block(level, node);
+      if (level == 0) {
+        return at_distance(node, 1, block.template overlapping_at<1>() & pairs.before_lanes_) &&
+               at_distance(node, 2, block.template overlapping_at<2>()) &&
+               at_distance(node, 3, block.template overlapping_at<3>()) &&
+               at_distance(node, 4, block.template overlapping_at<4>() & 15U);
+      }
       const std::uint32_t children = pairs.children(level, node);
-      const unsigned after_first = level == 0 ? pairs.after_first_ : ~1U;
       for (std::uint32_t lane = 0; lane < children; ++lane) {
         const std::uint32_t child = width * node + lane;
-        if (!with_children(level, child, block, block.box(lane), after_first << lane, node) ||
-            (level > 0 && !within(level - 1, child))) {
+        if (!with_children(level, child, block, block.box(lane), ~1U << lane, node) ||
+            !within(level - 1, child)) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+    // Of a node of boxes, those pairs of the given lanes and the ones so far behind them.
+    bool at_distance(std::uint32_t node, std::uint32_t distance, unsigned lanes) {
+      for (; lanes != 0; lanes &= lanes - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
+        const std::uint32_t other = (lane + distance) % width;
+        if (pairs_left-- == 0 ||
+            !visit(width * node + std::min(lane, other), width * node + std::max(lane, other))) {
           return false;
         }
       }
@@ -150,7 +169,7 @@ class OverlappingPairs {
 
   static Ways ways_of(const Point& p, const Point& q);
 
-  struct Node {
+  struct alignas(16) Node {
     Block block;
     Ways ways;
   };
@@ -176,10 +195,10 @@ class OverlappingPairs {
   }
 
   std::uint32_t boxes_;
-  unsigned after_first_;  // the lanes that a box in the first lane of its node may be paired with
+  unsigned before_lanes_;  // the lanes whose boxes may be paired with those of the next ones
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
-  boost::container::vector<Node> nodes_;
+  Buffer<Node> nodes_;
 };
 
 }  // namespace gcv

@@ -11,6 +11,7 @@
 #include <limits>
 #include <span>
 
+#include "buffer.hpp"
 #include "lanes.hpp"
 
 namespace gcv {
@@ -21,6 +22,8 @@ struct Point {
 
   friend bool operator==(const Point& p, const Point& q) { return p.x == q.x && p.y == q.y; }
 };
+
+using PointVector = Buffer<Point>;
 
 // Lexicographic order, first by x, then by y.
 inline bool lexicographically_less(const Point& p, const Point& q) {

@@ -22,8 +22,8 @@ struct Chain {
     Index number;
     int turn;
   };
-  std::vector<Point> points;
-  std::vector<Mark> marks;
+  PointVector points;
+  Buffer<Mark> marks;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return i + 1 == size() ? 0 : i + 1; }
@@ -43,12 +43,12 @@ void check_finite(std::span<const Point> boundary, const char* name) {
 
 // Without the closing vertex and without repeated vertices, of which the last stays:
 // the edge behind it is the one that leads on.
-Chain without_repetitions(std::vector<Point> boundary) {
+Chain without_repetitions(PointVector boundary) {
   std::size_t count = boundary.size();
   while (count > 1 && boundary[count - 1] == boundary[0]) {
     --count;
   }
-  Chain chain{std::move(boundary), std::vector<Chain::Mark>(count)};
+  Chain chain{std::move(boundary), Buffer<Chain::Mark>(count)};
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Point p = chain.points[i];
@@ -140,36 +140,38 @@ void take_corners(const Chain& chain, Polygon& polygon) {
 // Sorts the line directions of the edges, and numbers them.
 class LineSorter {
  public:
-  explicit LineSorter(Polygon& polygon) : polygon_(polygon), lines_(polygon.lines) {
-    lines_.resize(polygon_.size());
-    for (Index i = 0; i < polygon_.size(); ++i) {
-      const Point& p = polygon_.vertices[i];
-      const Point& q = polygon_.vertices[polygon_.next(i)];
-      lines_[i] = {polygon_.corners[i].upper ? direction_key(p, q) : direction_key(q, p), i};
-    }
-  }
+  explicit LineSorter(Polygon& polygon) : polygon_(polygon), lines_(polygon.lines) {}
 
   // By keys first. Where some of those are too near each other, exactly.
   void run() {
+    take_lines();
     if (polygon_.is_convex) {
       merge_halves();
     } else {
-      std::sort(lines_.begin(), lines_.end(), [](const Line& e, const Line& f) {
-        return e.key > f.key || (e.key == f.key && e.edge < f.edge);
-      });
+      std::sort(lines_.begin(), lines_.end(),
+                [](const Line& e, const Line& f) { return e.key > f.key; });
     }
     if (!number_lines()) {
+      take_lines();
       std::stable_sort(lines_.begin(), lines_.end(), Before{this});
       number_lines();
     }
-    const auto is_same = [this](const Line& e, const Line& f) {
-      return polygon_.corners[e.edge].line == polygon_.corners[f.edge].line;
-    };
-    lines_.erase(std::unique(lines_.begin(), lines_.end(), is_same), lines_.end());
   }
 
  private:
   using Line = Polygon::Line;
+
+  // One for each edge.
+  void take_lines() {
+    lines_.resize(polygon_.size());
+    for (Index i = 0; i < polygon_.size(); ++i) {
+      const Point& p = polygon_.vertices[i];
+      const Point& q = polygon_.vertices[polygon_.next(i)];
+      const bool upper = points_up(p, q);
+      polygon_.corners[i].upper = upper;
+      lines_[i] = {upper ? direction_key(p, q) : direction_key(q, p), i};
+    }
+  }
 
   // 1 where e comes before f, 0 where they are parallel.
   int compare(const Line& e, const Line& f) {
@@ -198,31 +200,28 @@ class LineSorter {
     std::inplace_merge(lines_.begin(), down, lines_.end(), Before{this});
   }
 
-  // False where they are not in order.
+  // Of parallel lines, the one of the first edge stays. False where they are not in order.
   bool number_lines() {
-    Index line = 0;
-    for (std::size_t k = 0; k < lines_.size(); ++k) {
-      const int order = k == 0 ? 0 : compare(lines_[k - 1], lines_[k]);
-      if (order < 0) {
+    Index last = 0;
+    for (const Line& line : std::span(lines_).subspan(1)) {
+      const int order = compare(lines_[last], line);
+      if (order > 0) {
+        lines_[++last] = line;
+      } else if (order < 0) {
         return false;
+      } else if (line.edge < lines_[last].edge) {
+        lines_[last] = line;
       }
-      line += order > 0 ? 1 : 0;
-      polygon_.corners[lines_[k].edge].line = line;
+      polygon_.corners[line.edge].line = last;
     }
+    lines_.resize(std::size_t{last} + 1);
     return true;
   }
 
   Polygon& polygon_;
-  std::vector<Line>& lines_;  // until all are numbered, one for each edge
+  Buffer<Line>& lines_;
   Tally tally_;
 };
-
-void sort_directions(Polygon& polygon) {
-  for (Index i = 0; i < polygon.size(); ++i) {
-    polygon.corners[i].upper = points_up(polygon.vertices[i], polygon.vertices[polygon.next(i)]);
-  }
-  LineSorter(polygon).run();
-}
 
 void find_extremes(Polygon& polygon) {
   polygon.bounds = box_of(polygon.vertices);
@@ -233,7 +232,7 @@ void find_extremes(Polygon& polygon) {
 
 }  // namespace
 
-Polygon make_polygon(std::vector<Point> boundary, const char* name) {
+Polygon make_polygon(PointVector boundary, const char* name) {
   constexpr std::size_t most = 0x7fffffff;
   const std::size_t given = boundary.size();
   if (given > most) {
@@ -254,13 +253,13 @@ Polygon make_polygon(std::vector<Point> boundary, const char* name) {
   Polygon polygon;
   take_corners(chain, polygon);
   find_extremes(polygon);
-  sort_directions(polygon);
+  LineSorter(polygon).run();
   return polygon;
 }
 
 const ChainIndex& Polygon::index() const {
   return index_.get([this] {
-    std::vector<Point> ring(std::size_t{size()} + 1);
+    PointVector ring(std::size_t{size()} + 1);
     for (Index i = 0; i < size(); ++i) {
       ring[i] = relative(i);
     }

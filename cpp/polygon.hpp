@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "buffer.hpp"
 #include "capsules.hpp"
 #include "chain_tree.hpp"
 #include "lazy.hpp"
@@ -26,7 +27,7 @@ struct ChainIndex {
 struct Polygon {
   // The ring: counter-clockwise, from the lexicographically smallest vertex, without
   // repeated and without collinear vertices. Edge i goes from vertex i to vertex i+1.
-  std::vector<Point> vertices;
+  PointVector vertices;
 
   // Of vertex i and the edge that starts there.
   struct Corner {
@@ -36,7 +37,7 @@ struct Polygon {
     bool convex;          // strictly, or else the vertex is strictly reflex
     bool upper;           // the edge points along its line direction, or else against it
   };
-  std::vector<Corner> corners;
+  Buffer<Corner> corners;
   bool is_convex = false;  // all vertices are
 
   // Directions up to sign, sorted: the line directions (angles in [0, pi)) that occur are numbered
@@ -45,7 +46,7 @@ struct Polygon {
     double key;  // that of direction_key.hpp
     Index edge;  // one edge with that line direction
   };
-  std::vector<Line> lines;
+  Buffer<Line> lines;
 
   Box bounds{};
   Index lexicographic_min = 0;
@@ -73,7 +74,7 @@ struct Polygon {
 // The polygon with the given boundary: either orientation, closed or not, repeated and
 // collinear vertices allowed. `name` is its name in messages, such as "polygon".
 // Throws Error: invalid_argument, not_finite, degenerate, not_simple.
-Polygon make_polygon(std::vector<Point> boundary, const char* name);
+Polygon make_polygon(PointVector boundary, const char* name);
 
 // -P = { -p : p in P }, with the same numbers. Every line direction stays, every edge
 // points the other way. O(n).

@@ -23,15 +23,15 @@ constexpr double furthest = 6;  // units in the last place that a vertex may mov
 
 class Separator {
  public:
-  Separator(const ExactRing& exact, const std::vector<Point>& nearest, Tally& tally)
+  Separator(const ExactRing& exact, const PointVector& nearest, Tally& tally)
       : exact_(exact),
         nearest_(nearest),
         largest_units_(units_in_last_place(nearest)),
         places_(nearest),
-        moves_(nearest.size()),
+        moves_(nearest.size(), Point{0, 0}),
         tally_(tally) {}
 
-  std::optional<std::vector<Point>> run() {
+  std::optional<PointVector> run() {
     for (int round = 0; round < rounds; ++round) {
       ring_ = snap(places_);
       if (ring_.vertices.size() < 3) {
@@ -127,18 +127,18 @@ class Separator {
   }
 
   const ExactRing& exact_;
-  const std::vector<Point>& nearest_;
+  const PointVector& nearest_;
   Point largest_units_;
-  std::vector<Point> places_;
-  std::vector<Point> moves_;  // in units in the last place
-  std::vector<Point> demands_;
+  PointVector places_;
+  PointVector moves_;  // in units in the last place
+  PointVector demands_;
   SnappedRing ring_;
   Tally& tally_;
 };
 
 }  // namespace
 
-SnappedRing snap(const std::vector<Point>& places) {
+SnappedRing snap(const PointVector& places) {
   SnappedRing ring;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!(places[k] == places[k + 1 == places.size() ? 0 : k + 1])) {
@@ -149,8 +149,8 @@ SnappedRing snap(const std::vector<Point>& places) {
   return ring;
 }
 
-std::optional<std::vector<Point>> separate(const ExactRing& ring, const std::vector<Point>& nearest,
-                                           Tally& tally) {
+std::optional<PointVector> separate(const ExactRing& ring, const PointVector& nearest,
+                                    Tally& tally) {
   return Separator(ring, nearest, tally).run();
 }
 

@@ -17,16 +17,16 @@ namespace gcv {
 // A ring of doubles, whose vertex k stands for the vertices of the exact ring that are
 // numbered `source[k-1] + 1` to `source[k]`, cyclically: those that fell together.
 struct SnappedRing {
-  std::vector<Point> vertices;
+  PointVector vertices;
   std::vector<std::size_t> source;
 };
 
 // The ring through the given places of the exact vertices, each place once.
-SnappedRing snap(const std::vector<Point>& places);
+SnappedRing snap(const PointVector& places);
 
 // New places, near the nearest ones, for which the snapped ring is simple, if they are
 // found within a few units in the last place. Only vertices that are in the way move.
-std::optional<std::vector<Point>> separate(const ExactRing& ring, const std::vector<Point>& nearest,
-                                           Tally& tally);
+std::optional<PointVector> separate(const ExactRing& ring, const PointVector& nearest,
+                                    Tally& tally);
 
 }  // namespace gcv

@@ -87,14 +87,14 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
       ring.b.polygon->corners[j].vertex_number, ring.b.name);
 }
 
-bool has_repetitions(const std::vector<Point>& places) {
+bool has_repetitions(const PointVector& places) {
   return std::adjacent_find(places.begin(), places.end()) != places.end() ||
          places.front() == places.back();
 }
 
 // Do the places, each of them once, make a simple ring, counter-clockwise?
-bool make_simple_ring(const std::vector<Point>& places, unsigned threads) {
-  std::vector<Point> without_repetitions;
+bool make_simple_ring(const PointVector& places, unsigned threads) {
+  PointVector without_repetitions;
   std::span<const Point> ring = places;
   if (has_repetitions(places)) {
     without_repetitions = ring_through(places);
@@ -104,7 +104,7 @@ bool make_simple_ring(const std::vector<Point>& places, unsigned threads) {
 }
 
 // How many points of the first list, in any order, are not in the second.
-std::uint64_t count_missing(const std::vector<Point>& points, std::vector<Point> others) {
+std::uint64_t count_missing(const PointVector& points, PointVector others) {
   std::sort(others.begin(), others.end(), lexicographically_less);
   return static_cast<std::uint64_t>(
       std::count_if(points.begin(), points.end(), [&](const Point& p) {
@@ -120,7 +120,7 @@ double unit_in_last_place(double x) {
   return std::isfinite(next) ? next - size : size - std::nextafter(size, 0.0);
 }
 
-Point units_in_last_place(const std::vector<Point>& points) {
+Point units_in_last_place(const PointVector& points) {
   Point largest{0, 0};
   for (const Point& p : points) {
     largest = {std::max(largest.x, std::abs(p.x)), std::max(largest.y, std::abs(p.y))};
@@ -130,7 +130,7 @@ Point units_in_last_place(const std::vector<Point>& points) {
 
 double sum_bound(double x, double y) { return x == 0 || y == 0 ? x + y : next_up(x + y); }
 
-std::vector<Point> ring_through(std::vector<Point> places) {
+PointVector ring_through(PointVector places) {
   places.erase(std::unique(places.begin(), places.end()), places.end());
   while (places.size() > 1 && places.back() == places.front()) {
     places.pop_back();
@@ -188,7 +188,7 @@ bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally&
   if (placement.error_bound == 0 || make_simple_ring(placement.places, task.threads())) {
     return true;
   }
-  std::optional<std::vector<Point>> separated = separate(ring, placement.places, tally);
+  std::optional<PointVector> separated = separate(ring, placement.places, tally);
   if (!separated) {
     return false;
   }

@@ -14,7 +14,7 @@ namespace gcv {
 // Places in doubles for the vertices of an exact ring, one each; vertices that fall
 // together have the same place.
 struct Placement {
-  std::vector<Point> places;
+  PointVector places;
   double error_bound = 0;      // no vertex is further than this from its place
   std::uint64_t repaired = 0;  // vertices whose place is not the nearest one
 };
@@ -29,7 +29,7 @@ bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally&
 
 struct RoundedRing {
   // A simple ring, counter-clockwise, from its lexicographically smallest vertex.
-  std::vector<Point> vertices;
+  PointVector vertices;
   // No point of either ring is further than this from the other ring.
   double error_bound = 0;
   std::uint64_t vertices_repaired = 0;
@@ -42,13 +42,13 @@ struct RoundedRing {
 RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally);
 
 // The ring through the places, each once, from the lexicographically smallest one.
-std::vector<Point> ring_through(std::vector<Point> places);
+PointVector ring_through(PointVector places);
 
 // The distance from |x| to the next double.
 double unit_in_last_place(double x);
 
 // That of the largest x and of the largest y of the points.
-Point units_in_last_place(const std::vector<Point>& points);
+Point units_in_last_place(const PointVector& points);
 
 // At least x + y, for numbers that are not negative.
 double sum_bound(double x, double y);

@@ -39,7 +39,7 @@ constexpr double u = std::numeric_limits<double>::epsilon() / 2;
 // What underflows in them, below 2^-1074, is covered by the bounds on distances.
 class ScaledRing {
  public:
-  explicit ScaledRing(const std::vector<Point>& vertices) {
+  explicit ScaledRing(const PointVector& vertices) {
     double largest = 0;
     for (const Point& p : vertices) {
       largest = std::max({largest, std::abs(p.x), std::abs(p.y)});
@@ -74,7 +74,7 @@ class ScaledRing {
   }
 
  private:
-  std::vector<Point> points_;
+  PointVector points_;
   int exponent_ = 0;
 };
 
@@ -423,7 +423,7 @@ class Simplification {
 
   // The edges that keep the boundary from being simple.
   [[nodiscard]] static std::vector<Index> wrong_edges(const Boundary& boundary) {
-    std::vector<Point> places;
+    PointVector places;
     places.reserve(boundary.size());
     std::vector<Index> wrong;
     for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -462,7 +462,7 @@ class Simplification {
   }
 
   [[nodiscard]] Simplified result(const Boundary& boundary) const {
-    std::vector<Point> places;
+    PointVector places;
     places.reserve(boundary.size());
     double error = 0;
     for (const NewVertex& v : boundary) {

@@ -138,7 +138,7 @@ SupersetTree::SupersetTree(const Operands& operands, const CoarseGrid& grid,
   std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
   std::vector<BoxedEdge> edges;
   edges.reserve(size);
-  std::vector<PlacedVertex> placed(std::size_t{operands.a.size()} + operands.b.size());
+  Buffer<PlacedVertex> placed(std::size_t{operands.a.size()} + operands.b.size());
   PlacedVertex* const placed_a = placed.data();
   PlacedVertex* const placed_b = placed_a + operands.a.size();
   place_vertices(operands.a, grid.of(operands.a), placed_a);

@@ -166,9 +166,9 @@ class SupersetTree {
   static constexpr std::uint32_t most_levels = 5;
 
   CoarseGrid grid_;
-  std::vector<PairEdge> edges_;  // in the order of their boxes
+  Buffer<PairEdge> edges_;  // in the order of their boxes
   // Of the root, node 0, and of all others: the children of node k are 8k + 1 to 8k + 8.
-  std::vector<Block> blocks_;
+  Buffer<Block> blocks_;
   std::uint32_t first_leaf_ = 0;  // the first node with edges for children
 };
 

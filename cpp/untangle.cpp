@@ -219,7 +219,7 @@ class SnapRounding {
   }
 
   // Along the longer axis; where two pixels share a place on it, along the other one.
-  void sort_along(const Segment& s, std::vector<Point>& chain) const {
+  void sort_along(const Segment& s, PointVector& chain) const {
     const double dx = s.high.x - s.low.x;
     const double dy = s.high.y - s.low.y;
     const double sx = dx < 0 ? -1 : 1;
@@ -238,7 +238,7 @@ class SnapRounding {
   const std::vector<Segment>& segments_;
   Point unit_;  // the size of a pixel
   std::vector<HotPixel> hot_;
-  std::vector<std::vector<Point>> chains_;
+  std::vector<PointVector> chains_;
   Tally& tally_;
 };
 
@@ -300,7 +300,7 @@ class PlaneGraph {
               });
   }
 
-  std::vector<Point> points_;
+  PointVector points_;
   std::vector<std::size_t> first_;  // place of the first neighbour of each vertex
   std::vector<std::size_t> neighbours_;
 };
@@ -330,7 +330,7 @@ std::vector<std::size_t> largest_cycle(const PlaneGraph& graph,
   double largest_area = 0;
   std::vector<std::size_t> path;
   std::vector<std::size_t> place_in_path(graph.size(), nowhere);
-  std::vector<Point> ring;
+  PointVector ring;
   const auto close_at = [&](std::size_t place) {
     ring.clear();
     for (std::size_t k = place; k < path.size(); ++k) {
@@ -395,7 +395,7 @@ double distance_left_out(const PlaneGraph& graph, const std::vector<std::size_t>
 
 }  // namespace
 
-std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally& tally) {
+std::optional<UntangledRing> untangle(const PointVector& polyline, Tally& tally) {
   std::vector<Segment> segments;
   for (std::size_t k = 0; k < polyline.size(); ++k) {
     segments.push_back(segment(polyline[k], polyline[k + 1 == polyline.size() ? 0 : k + 1]));

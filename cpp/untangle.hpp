@@ -12,7 +12,7 @@
 namespace gcv {
 
 struct UntangledRing {
-  std::vector<Point> vertices;  // simple, counter-clockwise
+  PointVector vertices;  // simple, counter-clockwise
   // No point of the ring is further than this from the polyline, and the other way round:
   // what the ring leaves out counts.
   double error_bound = 0;
@@ -21,6 +21,6 @@ struct UntangledRing {
 // The boundary of the unbounded face of the closed polyline, snapped to a grid of one unit
 // in the last place of its largest x and of its largest y; of several parts that touch in points,
 // the largest. Nothing where that has no area.
-std::optional<UntangledRing> untangle(const std::vector<Point>& polyline, Tally& tally);
+std::optional<UntangledRing> untangle(const PointVector& polyline, Tally& tally);
 
 }  // namespace gcv

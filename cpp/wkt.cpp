@@ -21,14 +21,14 @@ class Parser {
  public:
   Parser(std::string_view text, const char* name) : text_(text), name_(name) {}
 
-  std::vector<Point> polygon() {
+  PointVector polygon() {
     expect_word("POLYGON");
     if (accept_word("EMPTY")) {
       expect_end();
       throw Error(Status::degenerate, "%s: POLYGON EMPTY has no vertices", name_);
     }
     expect('(');
-    std::vector<Point> outer = ring(0);
+    PointVector outer = ring(0);
     for (std::size_t number = 1; accept(','); ++number) {
       check_hole(ring(number), number);
     }
@@ -175,8 +175,8 @@ class Parser {
     return exponent < -point;
   }
 
-  std::vector<Point> ring(std::size_t number_of_ring) {
-    std::vector<Point> points;
+  PointVector ring(std::size_t number_of_ring) {
+    PointVector points;
     expect('(');
     do {
       const double x = number(number_of_ring, points.size());
@@ -189,7 +189,7 @@ class Parser {
     return points;
   }
 
-  void check_hole(std::vector<Point> hole, std::size_t number) const {
+  void check_hole(PointVector hole, std::size_t number) const {
     while (hole.size() > 1 && hole.front() == hole.back()) {
       hole.pop_back();
     }
@@ -218,7 +218,7 @@ void append(std::string& text, const Point& point) {
 
 }  // namespace
 
-std::vector<Point> parse_polygon(std::string_view text, const char* name) {
+PointVector parse_polygon(std::string_view text, const char* name) {
   return Parser(text, name).polygon();
 }
 

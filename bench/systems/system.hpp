@@ -12,7 +12,7 @@
 
 namespace gcv::bench {
 
-using Ring = std::vector<Point>;
+using Ring = PointVector;
 
 // What is known of the last run beside its result; 0 where a system does not tell.
 struct Observation {

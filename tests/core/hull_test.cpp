@@ -22,8 +22,8 @@ using test::Random;
 using test::uniform;
 
 // A star round (distance, distance), in quarters. Tips are about as far as each other.
-std::vector<Point> star(Random& random, int tips, double distance) {
-  std::vector<Point> ring;
+PointVector star(Random& random, int tips, double distance) {
+  PointVector ring;
   for (int k = 0; k < 2 * tips; ++k) {
     const double angle = std::numbers::pi * k / tips;
     const double radius = k % 2 == 0 ? 96 + uniform(random, -2, 2) / 4.0 : 80;

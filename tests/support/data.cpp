@@ -20,7 +20,7 @@ std::optional<std::filesystem::path> data_directory() {
   return directory;
 }
 
-std::vector<Point> read_polygon(const std::filesystem::path& file) {
+PointVector read_polygon(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse_polygon(text, file.c_str());

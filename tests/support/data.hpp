@@ -15,14 +15,14 @@ namespace gcv::test {
 
 struct NamedPair {
   std::string name;
-  std::vector<Point> a;
-  std::vector<Point> b;
+  PointVector a;
+  PointVector b;
 };
 
 // Where the data is, if it is there.
 std::optional<std::filesystem::path> data_directory();
 
-std::vector<Point> read_polygon(const std::filesystem::path& file);
+PointVector read_polygon(const std::filesystem::path& file);
 
 // The pairs of the folder's pairs.txt.
 std::vector<NamedPair> read_pairs(const std::filesystem::path& directory);

@@ -12,7 +12,7 @@
 
 namespace gcv::test {
 
-using Ring = std::vector<Point>;
+using Ring = PointVector;
 using Random = std::mt19937_64;
 
 // Uniform in [low, high].
