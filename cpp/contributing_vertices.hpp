@@ -71,6 +71,12 @@ struct Operands {
     const Point q = b.relative(j);
     return {p.x + q.x, p.y + q.y};
   }
+  [[nodiscard]] Box relative_bounds() const {
+    const Point& p = a.vertices.front();
+    const Point& q = b.vertices.front();
+    return {a.bounds.x0 - p.x + (b.bounds.x0 - q.x), a.bounds.y0 - p.y + (b.bounds.y0 - q.y),
+            a.bounds.x1 - p.x + (b.bounds.x1 - q.x), a.bounds.y1 - p.y + (b.bounds.y1 - q.y)};
+  }
   [[nodiscard]] Point relative_start(const EdgeName& e) const { return relative(e.i, e.j); }
   [[nodiscard]] Point relative_end(const EdgeName& e) const {
     return e.kind == EdgeName::translated ? relative(a.next(e.i), e.j) : relative(e.i, b.next(e.j));

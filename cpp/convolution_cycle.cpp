@@ -167,13 +167,13 @@ std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands)
   }
   ConvolutionCycle cycle;
   cycle.links_ = std::move(tracing.links);
-  if (!cycle.find_near(tracing.starts)) {
+  if (!cycle.find_near(tracing.starts, operands.relative_bounds())) {
     return std::nullopt;
   }
   return cycle;
 }
 
-bool ConvolutionCycle::find_near(std::span<const Point> starts) {
+bool ConvolutionCycle::find_near(std::span<const Point> starts, const Box& bounds) {
   struct Pair {
     Index first;
     Index second;
@@ -189,7 +189,7 @@ bool ConvolutionCycle::find_near(std::span<const Point> starts) {
     pairs.push_back({first, second});
     return ++links_[p].near_count <= most_near && ++links_[q].near_count <= most_near;
   };
-  if (!OverlappingPairs(starts, OverlappingPairs::Points::rounded)
+  if (!OverlappingPairs(starts, bounds, OverlappingPairs::Points::rounded)
            .visit_some(most_pairs_per_link * links_.size(), visit)) {
     return false;
   }

@@ -61,7 +61,7 @@ class ConvolutionCycle {
   };
 
   ConvolutionCycle() = default;
-  bool find_near(std::span<const Point> starts);
+  bool find_near(std::span<const Point> starts, const Box& bounds);
 
   std::vector<Link> links_;
   Buffer<Index> near_;

@@ -64,11 +64,11 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : before_lanes_(F
   });
 }
 
-OverlappingPairs::OverlappingPairs(std::span<const Point> ring, Points points)
+OverlappingPairs::OverlappingPairs(std::span<const Point> ring, const Box& bounds, Points points)
     : before_lanes_(0x80) {
   const bool are_exact = points == Points::exact;
   const float margin = are_exact ? 0 : 0x1p-20F;
-  const Frame frame(box_of(ring));
+  const Frame frame(bounds);
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
     Ways ways = are_exact ? all_ways : 0;
     float x[width + 1]{};

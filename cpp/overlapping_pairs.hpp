@@ -28,8 +28,9 @@ class OverlappingPairs {
   // two edges meet but in the vertex of neighbours.
   // Points that are off by up to 2^-22 of their extents make larger boxes, and of their pairs only
   // those of neighbours are passed over.
+  // The box of the ring may be off by as much as its extents.
   enum class Points : std::uint8_t { exact, rounded };
-  explicit OverlappingPairs(std::span<const Point> ring, Points points = Points::exact);
+  OverlappingPairs(std::span<const Point> ring, const Box& bounds, Points points = Points::exact);
 
   // Nodes of level 0 hold eight boxes each; the one node of the last level holds all.
   [[nodiscard]] std::uint32_t last_level() const { return levels_ - 1; }

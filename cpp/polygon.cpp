@@ -82,7 +82,7 @@ bool turns_back(const Point& p, const Point& q, const Point& r) {
   return p.x == q.x ? (p.y < q.y) != (q.y < r.y) : (p.x < q.x) != (q.x < r.x);
 }
 
-void check_simple(const Chain& chain, const char* name) {
+void check_simple(const Chain& chain, const Box& bounds, const char* name) {
   if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.marks[i].turn; })) {
     return;
   }
@@ -97,7 +97,7 @@ void check_simple(const Chain& chain, const char* name) {
                   q.x, q.y);
     }
   }
-  if (const auto conflict = find_conflict(chain.points)) {
+  if (const auto conflict = find_conflict(chain.points, bounds)) {
     const Point& p = chain.points[conflict->first];
     const Point& q = chain.points[conflict->second];
     throw Error(Status::not_simple,
@@ -223,8 +223,7 @@ class LineSorter {
   Tally tally_;
 };
 
-void find_extremes(Polygon& polygon) {
-  polygon.bounds = box_of(polygon.vertices);
+void find_lexicographic_max(Polygon& polygon) {
   const auto largest =
       std::max_element(polygon.vertices.begin(), polygon.vertices.end(), lexicographically_less);
   polygon.lexicographic_max = static_cast<Index>(largest - polygon.vertices.begin());
@@ -249,10 +248,11 @@ Polygon make_polygon(PointVector boundary, const char* name) {
   if (all_collinear(chain)) {
     throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, given);
   }
-  check_simple(chain, name);
   Polygon polygon;
+  polygon.bounds = box_of(chain.points);
+  check_simple(chain, polygon.bounds, name);
   take_corners(chain, polygon);
-  find_extremes(polygon);
+  find_lexicographic_max(polygon);
   LineSorter(polygon).run();
   return polygon;
 }

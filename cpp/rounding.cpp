@@ -92,15 +92,24 @@ bool has_repetitions(const PointVector& places) {
          places.front() == places.back();
 }
 
+// The box of the ring, about.
+Box bounds_of(const ExactRing& ring) {
+  const Box& a = ring.a.polygon->bounds;
+  const Box& b = ring.b.polygon->bounds;
+  const Point& shift = ring.shift;
+  return {a.x0 + b.x0 + shift.x, a.y0 + b.y0 + shift.y, a.x1 + b.x1 + shift.x,
+          a.y1 + b.y1 + shift.y};
+}
+
 // Do the places, each of them once, make a simple ring, counter-clockwise?
-bool make_simple_ring(const PointVector& places, unsigned threads) {
+bool make_simple_ring(const PointVector& places, const Box& bounds, unsigned threads) {
   PointVector without_repetitions;
   std::span<const Point> ring = places;
   if (has_repetitions(places)) {
     without_repetitions = ring_through(places);
     ring = without_repetitions;
   }
-  return ring.size() >= 3 && !find_conflict(ring, threads) && is_counter_clockwise(ring);
+  return ring.size() >= 3 && !find_conflict(ring, bounds, threads) && is_counter_clockwise(ring);
 }
 
 // How many points of the first list, in any order, are not in the second.
@@ -185,7 +194,8 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
 
 bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally& tally) {
   // Where no place is rounded, it is the exact ring itself, which is simple.
-  if (placement.error_bound == 0 || make_simple_ring(placement.places, task.threads())) {
+  if (placement.error_bound == 0 ||
+      make_simple_ring(placement.places, bounds_of(ring), task.threads())) {
     return true;
   }
   std::optional<PointVector> separated = separate(ring, placement.places, tally);

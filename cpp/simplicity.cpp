@@ -203,13 +203,13 @@ bool conflicting(std::span<const Point> ring, std::size_t e, std::size_t f, Tall
 // Do a few looks at a tree of boxes show that no two edges meet? They do where edges are near
 // few others, and take a fraction of the time of the sweep. On several threads, each node of some
 // level is a part of the work: its own pairs, and those with later nodes.
-bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
+bool is_soon_seen_simple(std::span<const Point> ring, const Box& bounds, unsigned threads) {
   constexpr std::uint64_t pairs_per_edge = 8;
   constexpr std::size_t many_edges = 4096;
   if (folds_back_somewhere(ring)) {
     return false;
   }
-  const OverlappingPairs pairs(ring);
+  const OverlappingPairs pairs(ring, bounds);
   const std::uint32_t level =
       pairs.last_level() - (threads > 1 && ring.size() > many_edges ? 2 : 0);
   const std::uint32_t parts = pairs.nodes(level);
@@ -228,7 +228,8 @@ bool is_soon_seen_simple(std::span<const Point> ring, unsigned threads) {
 
 }  // namespace
 
-std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned threads) {
+std::optional<Conflict> find_conflict(std::span<const Point> ring, const Box& bounds,
+                                      unsigned threads) {
   const std::size_t n = ring.size();
   Tally tally;
   if (is_convex_ring(ring, [&](std::size_t i) {
@@ -237,7 +238,7 @@ std::optional<Conflict> find_conflict(std::span<const Point> ring, unsigned thre
       })) {
     return std::nullopt;
   }
-  return is_soon_seen_simple(ring, threads) ? std::nullopt : Sweep(ring).run();
+  return is_soon_seen_simple(ring, bounds, threads) ? std::nullopt : Sweep(ring).run();
 }
 
 bool is_counter_clockwise(std::span<const Point> ring) {
@@ -256,7 +257,7 @@ std::vector<Conflict> find_all_conflicts(std::span<const Point> ring) {
     conflicts.push_back({std::min(e, f), std::max(e, f)});
     return true;
   });
-  OverlappingPairs(ring).visit_all([&](std::size_t e, std::size_t f) {
+  OverlappingPairs(ring, box_of(ring)).visit_all([&](std::size_t e, std::size_t f) {
     if (conflicting(ring, e, f, tally)) {
       conflicts.push_back({std::min(e, f), std::max(e, f)});
     }
@@ -276,13 +277,14 @@ std::vector<std::size_t> find_conflicting_edges(std::span<const Point> ring) {
     is_wrong[(f == 0 ? ring.size() : f) - 1] = is_wrong[f] = 1;
     return true;
   });
-  const bool all_seen = OverlappingPairs(ring).visit_some(
-      pairs_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
-        if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
-          is_wrong[e] = is_wrong[f] = 1;
-        }
-        return true;
-      });
+  const bool all_seen =
+      OverlappingPairs(ring, box_of(ring))
+          .visit_some(pairs_per_edge * ring.size(), [&](std::size_t e, std::size_t f) {
+            if ((is_wrong[e] & is_wrong[f]) == 0 && conflicting(ring, e, f, tally)) {
+              is_wrong[e] = is_wrong[f] = 1;
+            }
+            return true;
+          });
   const bool any = std::find(is_wrong.begin(), is_wrong.end(), 1) != is_wrong.end();
   if (!all_seen && !any && Sweep(ring).run()) {
     std::fill(is_wrong.begin(), is_wrong.end(), std::uint8_t{1});

@@ -82,8 +82,8 @@ TEST(OverlappingPairs, OfRoundedPointsTakeRoomForRounding) {
   const double a = 0.5;
   const double b = a + 0x1p-21;
   const test::Ring slot{{0, 0}, {1, 0}, {1, 1}, {b, 1}, {b, 0.25}, {a, 0.25}, {a, 1}, {0, 1}};
-  EXPECT_FALSE(visits(OverlappingPairs(slot, Points::exact), 3, 5));
-  EXPECT_TRUE(visits(OverlappingPairs(slot, Points::rounded), 3, 5));
+  EXPECT_FALSE(visits(OverlappingPairs(slot, box_of(slot), Points::exact), 3, 5));
+  EXPECT_TRUE(visits(OverlappingPairs(slot, box_of(slot), Points::rounded), 3, 5));
 
   // In lexicographic order, which rounding may have made.
   test::Ring zigzag;
@@ -91,8 +91,8 @@ TEST(OverlappingPairs, OfRoundedPointsTakeRoomForRounding) {
     zigzag.push_back({k * 0x1p-40, k % 2 * 1.0});
   }
   zigzag.push_back({1, 0.5});
-  EXPECT_FALSE(visits(OverlappingPairs(zigzag, Points::exact), 2, 4));
-  EXPECT_TRUE(visits(OverlappingPairs(zigzag, Points::rounded), 2, 4));
+  EXPECT_FALSE(visits(OverlappingPairs(zigzag, box_of(zigzag), Points::exact), 2, 4));
+  EXPECT_TRUE(visits(OverlappingPairs(zigzag, box_of(zigzag), Points::rounded), 2, 4));
 }
 
 TEST(OverlappingPairs, AreFoundWhereTheExtentsOverflow) {
