@@ -16,8 +16,9 @@ constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 // What rounding took from `sum`, the double nearest to x + y (TwoSum; Knuth, The Art of
 // Computer Programming, volume 2, section 4.2.2): a double, exactly. NaN where the sum
 // overflows, and maybe where it lies next to the end of the range.
-inline double rounding_error(double x, double y, double sum) {
-  const double y_part = sum - x;
+template <class Number>  // double, or some side by side
+inline Number rounding_error(Number x, Number y, Number sum) {
+  const Number y_part = sum - x;
   return (x - (sum - y_part)) + (y - y_part);
 }
 

@@ -20,12 +20,6 @@ struct RoundedVertex {
   RoundedNumber y;
 };
 
-// A sum of two doubles is correctly rounded by adding them.
-inline RoundedNumber rounded_sum(double a, double b) {
-  const double sum = a + b;
-  return {sum + 0.0, rounding_error(a, b, sum) == 0};
-}
-
 // The doubles nearest to the coordinates of a + b + shift, ties to even; nothing where they are
 // not certain.
 std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift);

@@ -37,6 +37,12 @@ inline unsigned bits_of(const PairOfMasks& masks) {
 }
 #endif
 
+inline PairOfDoubles magnitude(const PairOfDoubles& p) {
+  constexpr PairOfMasks all_but_sign{std::numeric_limits<std::int64_t>::max(),
+                                     std::numeric_limits<std::int64_t>::max()};
+  return std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(p) & all_but_sign);
+}
+
 struct DoubleMask {
   PairOfMasks low;
   PairOfMasks high;
@@ -88,10 +94,7 @@ struct DoubleLanes {
   friend DoubleMask operator>(const DoubleLanes& p, double x) { return p > of(x); }
 
   friend DoubleLanes magnitude(const DoubleLanes& p) {
-    constexpr PairOfMasks all_but_sign{std::numeric_limits<std::int64_t>::max(),
-                                       std::numeric_limits<std::int64_t>::max()};
-    return {std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(p.low) & all_but_sign),
-            std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(p.high) & all_but_sign)};
+    return {gcv::magnitude(p.low), gcv::magnitude(p.high)};
   }
   friend DoubleLanes smaller(const DoubleLanes& p, const DoubleLanes& q) {
     return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};

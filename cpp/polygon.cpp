@@ -107,13 +107,24 @@ void check_simple(const Chain& chain, const Box& bounds, const char* name) {
   }
 }
 
+// Of the points with that x, at least one, the first by y.
+template <class IsBefore>
+std::size_t extreme_on(double x, std::span<const Point> points, IsBefore is_before) {
+  std::size_t best = points.size();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points[i].x == x && (best == points.size() || is_before(points[i].y, points[best].y))) {
+      best = i;
+    }
+  }
+  return best;
+}
+
 // The corners of a simple chain, counter-clockwise from the lexicographically smallest one. Turned
 // round, the edge behind a corner is the one that led to it; of the caller's edges on one straight
 // line, the last is then the first.
 void take_corners(const Chain& chain, Polygon& polygon) {
-  const auto first = static_cast<std::size_t>(
-      std::min_element(chain.points.begin(), chain.points.end(), lexicographically_less) -
-      chain.points.begin());
+  const std::size_t first =
+      extreme_on(polygon.bounds.x0, chain.points, [](double p, double q) { return p < q; });
   const int left = chain.marks[first].turn;  // no line passes through a smallest point
   const auto n = static_cast<std::size_t>(
       std::count_if(chain.marks.begin(), chain.marks.end(),
@@ -223,12 +234,6 @@ class LineSorter {
   Tally tally_;
 };
 
-void find_lexicographic_max(Polygon& polygon) {
-  const auto largest =
-      std::max_element(polygon.vertices.begin(), polygon.vertices.end(), lexicographically_less);
-  polygon.lexicographic_max = static_cast<Index>(largest - polygon.vertices.begin());
-}
-
 }  // namespace
 
 Polygon make_polygon(PointVector boundary, const char* name) {
@@ -252,7 +257,8 @@ Polygon make_polygon(PointVector boundary, const char* name) {
   polygon.bounds = box_of(chain.points);
   check_simple(chain, polygon.bounds, name);
   take_corners(chain, polygon);
-  find_lexicographic_max(polygon);
+  polygon.lexicographic_max = static_cast<Index>(
+      extreme_on(polygon.bounds.x1, polygon.vertices, [](double p, double q) { return p > q; }));
   LineSorter(polygon).run();
   return polygon;
 }

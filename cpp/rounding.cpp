@@ -22,8 +22,7 @@ namespace gcv {
 
 namespace {
 
-// A vertex that is no sum of doubles alone.
-[[gnu::noinline]] RoundedVertex rounded_point(const ExactRing& ring, std::size_t k, Tally& tally) {
+[[gnu::noinline]] RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
   const Polygon& a = *ring.a.polygon;
   const Polygon& b = *ring.b.polygon;
   const RingVertex& v = ring.vertices[k];
@@ -43,15 +42,18 @@ namespace {
   });
 }
 
-RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
-  const RingVertex& v = ring.vertices[k];
-  if (!v.is_sum() || !(ring.shift == Point{0, 0})) {
-    return rounded_point(ring, k, tally);
-  }
-  ++tally.filtered;
-  const Point& p = ring.a.polygon->vertices[v.i()];
-  const Point& q = ring.b.polygon->vertices[v.j()];
-  return {rounded_sum(p.x, q.x), rounded_sum(p.y, q.y)};
+// Places a vertex that is a sum of doubles alone, both coordinates at once. False where one of
+// them is rounded and not below that size, or not finite.
+bool place_sum(const Point& p, const Point& q, const Point& sizes, Point& place) {
+  const PairOfDoubles a{p.x, p.y};
+  const PairOfDoubles b{q.x, q.y};
+  const PairOfDoubles sum = a + b;
+  const PairOfMasks is_rounded = rounding_error(a, b, sum) != PairOfDoubles{0, 0};
+  const auto size =
+      std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(magnitude(sum)) & is_rounded);
+  const PairOfDoubles without_sign_of_zero = sum + PairOfDoubles{0, 0};
+  place = {without_sign_of_zero[0], without_sign_of_zero[1]};
+  return bits_of(less(size, PairOfDoubles{sizes.x, sizes.y})) == 3;
 }
 
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
@@ -172,11 +174,20 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   placement.places.resize(ring.size());
   boost::container::small_vector<Portion, 1> portions((ring.size() + Task::portion - 1) /
                                                       Task::portion);
+  const Polygon& a = *ring.a.polygon;
+  const Polygon& b = *ring.b.polygon;
+  const bool is_unshifted = ring.shift == Point{0, 0};
   const auto place_portion = [&](std::size_t number) {
     Portion& portion = portions[number];
     const std::size_t first = number * Task::portion;
     const std::size_t last = std::min<std::size_t>(first + Task::portion, ring.size());
     for (std::size_t k = first; k < last; ++k) {
+      const RingVertex& v = ring.vertices[k];
+      if (is_unshifted && v.is_sum() &&
+          place_sum(a.vertices[v.i()], b.vertices[v.j()], portion.sizes, placement.places[k])) {
+        ++portion.tally.filtered;
+        continue;
+      }
       const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
       check_finite(ring, k, vertex);
       placement.places[k] = {vertex.x.value, vertex.y.value};
