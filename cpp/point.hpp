@@ -30,6 +30,23 @@ inline bool lexicographically_less(const Point& p, const Point& q) {
   return p.x < q.x || (p.x == q.x && p.y < q.y);
 }
 
+// The number of the point that comes before all others; of equal ones, the first. At least one.
+template <class IsBefore>
+std::size_t first_of(std::span<const Point> points, IsBefore is_before) {
+  std::size_t first = 0;
+  Point p = points[0];
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    if (is_before(points[i], p)) {
+      first = i;
+      p = points[i];
+    }
+  }
+  return first;
+}
+inline std::size_t lexicographic_min(std::span<const Point> points) {
+  return first_of(points, lexicographically_less);
+}
+
 struct Box {
   double x0, y0, x1, y1;
 };

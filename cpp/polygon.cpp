@@ -86,6 +86,10 @@ void check_simple(const Chain& chain, const Box& bounds, const char* name) {
   if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.marks[i].turn; })) {
     return;
   }
+  const auto conflict = find_conflict(chain.points, bounds);
+  if (!conflict) {
+    return;
+  }
   for (std::size_t i = 0; i < chain.size(); ++i) {
     const std::size_t before = chain.previous(i);
     const Point& q = chain.points[i];
@@ -97,34 +101,19 @@ void check_simple(const Chain& chain, const Box& bounds, const char* name) {
                   q.x, q.y);
     }
   }
-  if (const auto conflict = find_conflict(chain.points, bounds)) {
-    const Point& p = chain.points[conflict->first];
-    const Point& q = chain.points[conflict->second];
-    throw Error(Status::not_simple,
-                "%s: edges %u and %u meet; they start at (%.17g, %.17g) and (%.17g, %.17g)", name,
-                chain.marks[conflict->first].number, chain.marks[conflict->second].number, p.x, p.y,
-                q.x, q.y);
-  }
-}
-
-// Of the points with that x, at least one, the first by y.
-template <class IsBefore>
-std::size_t extreme_on(double x, std::span<const Point> points, IsBefore is_before) {
-  std::size_t best = points.size();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (points[i].x == x && (best == points.size() || is_before(points[i].y, points[best].y))) {
-      best = i;
-    }
-  }
-  return best;
+  const Point& p = chain.points[conflict->first];
+  const Point& q = chain.points[conflict->second];
+  throw Error(Status::not_simple,
+              "%s: edges %u and %u meet; they start at (%.17g, %.17g) and (%.17g, %.17g)", name,
+              chain.marks[conflict->first].number, chain.marks[conflict->second].number, p.x, p.y,
+              q.x, q.y);
 }
 
 // The corners of a simple chain, counter-clockwise from the lexicographically smallest one. Turned
 // round, the edge behind a corner is the one that led to it; of the caller's edges on one straight
 // line, the last is then the first.
 void take_corners(const Chain& chain, Polygon& polygon) {
-  const std::size_t first =
-      extreme_on(polygon.bounds.x0, chain.points, [](double p, double q) { return p < q; });
+  const std::size_t first = lexicographic_min(chain.points);
   const int left = chain.marks[first].turn;  // no line passes through a smallest point
   const auto n = static_cast<std::size_t>(
       std::count_if(chain.marks.begin(), chain.marks.end(),
@@ -257,8 +246,10 @@ Polygon make_polygon(PointVector boundary, const char* name) {
   polygon.bounds = box_of(chain.points);
   check_simple(chain, polygon.bounds, name);
   take_corners(chain, polygon);
-  polygon.lexicographic_max = static_cast<Index>(
-      extreme_on(polygon.bounds.x1, polygon.vertices, [](double p, double q) { return p > q; }));
+  polygon.lexicographic_max =
+      static_cast<Index>(first_of(polygon.vertices, [](const Point& p, const Point& q) {
+        return lexicographically_less(q, p);
+      }));
   LineSorter(polygon).run();
   return polygon;
 }

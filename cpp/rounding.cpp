@@ -146,8 +146,8 @@ PointVector ring_through(PointVector places) {
   while (places.size() > 1 && places.back() == places.front()) {
     places.pop_back();
   }
-  std::rotate(places.begin(),
-              std::min_element(places.begin(), places.end(), lexicographically_less), places.end());
+  const auto first = static_cast<std::ptrdiff_t>(lexicographic_min(places));
+  std::rotate(places.begin(), places.begin() + first, places.end());
   return places;
 }
 

@@ -242,8 +242,7 @@ std::optional<Conflict> find_conflict(std::span<const Point> ring, const Box& bo
 }
 
 bool is_counter_clockwise(std::span<const Point> ring) {
-  const auto lowest = static_cast<std::size_t>(
-      std::min_element(ring.begin(), ring.end(), lexicographically_less) - ring.begin());
+  const std::size_t lowest = lexicographic_min(ring);
   const std::size_t n = ring.size();
   Tally tally;
   return orientation(ring[(lowest + n - 1) % n], ring[lowest], ring[(lowest + 1) % n], tally) > 0;
