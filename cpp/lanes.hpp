@@ -115,13 +115,30 @@ void for_each_lane(unsigned lanes, Visit visit) {
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourMasks [[gnu::vector_size(16)]] = std::int32_t;
 
+// from<distance>(p, q) gives four in a row of those of p and then of q.
 #ifdef __SSE2__
 inline unsigned bits_of(const FourMasks& masks) {
   return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(masks)));
 }
+template <int distance>
+FourFloats from(const FourFloats& p, const FourFloats& q) {
+  if constexpr (distance == 4) {
+    return q;
+  } else if constexpr (distance == 2) {
+    return _mm_shuffle_ps(p, q, _MM_SHUFFLE(1, 0, 3, 2));
+  } else {
+    const FourFloats middle = _mm_shuffle_ps(p, q, _MM_SHUFFLE(0, 0, 3, 3));
+    return distance == 1 ? _mm_shuffle_ps(p, middle, _MM_SHUFFLE(2, 0, 2, 1))
+                         : _mm_shuffle_ps(middle, q, _MM_SHUFFLE(2, 1, 2, 0));
+  }
+}
 #else
 inline unsigned bits_of(const FourMasks& masks) {
   return static_cast<unsigned>((masks[0] & 1) | (masks[1] & 2) | (masks[2] & 4) | (masks[3] & 8));
+}
+template <int distance>
+FourFloats from(const FourFloats& p, const FourFloats& q) {
+  return __builtin_shufflevector(p, q, distance, distance + 1, distance + 2, distance + 3);
 }
 #endif
 
@@ -161,8 +178,7 @@ struct FloatLanes {
   // Lane k holds number k + distance of eight that follow each other round; distance is 1 to 4.
   template <int distance>
   [[nodiscard]] FloatLanes turned() const {
-    return {__builtin_shufflevector(low, high, distance, distance + 1, distance + 2, distance + 3),
-            __builtin_shufflevector(high, low, distance, distance + 1, distance + 2, distance + 3)};
+    return {from<distance>(low, high), from<distance>(high, low)};
   }
 
   friend FloatLanes operator+(const FloatLanes& p, Number x) { return {p.low + x, p.high + x}; }
