@@ -49,7 +49,6 @@ class ConvolutionCycle::Tracing {
       return false;
     }
     links.reserve(vertices + vertices / 4);
-    starts.reserve(vertices + vertices / 4);
     Rank in = other_ranks_.back();
     Index k = first_vertex(in);
     for (Index i = 0; i < other_.size(); ++i) {
@@ -75,7 +74,7 @@ class ConvolutionCycle::Tracing {
         add_gap(other_.next(i), from, i, k);
         add(translated_, out, i, k);
       }
-      if (starts.size() > most || (gaps_ > short_gaps_ && gaps_are_long())) {
+      if (links.size() > most || (gaps_ > short_gaps_ && gaps_are_long())) {
         return false;
       }
       in = out;
@@ -83,8 +82,16 @@ class ConvolutionCycle::Tracing {
     return true;
   }
 
+  // The starts of all links in relative coordinates.
+  [[nodiscard]] PointVector starts() const {
+    PointVector starts(links.size());
+    for (std::size_t number = 0; number < links.size(); ++number) {
+      starts[number] = start(number);
+    }
+    return starts;
+  }
+
   std::vector<Link> links;
-  PointVector starts;  // of each link, in relative coordinates
 
  private:
   [[nodiscard]] Rank angle(Rank from, Rank to) const {
@@ -109,17 +116,13 @@ class ConvolutionCycle::Tracing {
     return std::max(a.x1 - a.x0 + (b.x1 - b.x0), a.y1 - a.y0 + (b.y1 - b.y0));
   }
 
-  // Vertex i of the other polygon and vertex k of the convex one.
-  [[nodiscard]] Point relative(Index i, Index k) const {
-    return convex_is_a_ ? operands_.relative(k, i) : operands_.relative(i, k);
+  [[nodiscard]] Point start(std::size_t number) const {
+    return operands_.relative_start(links[number].edge);
   }
 
-  // The edge that starts there.
+  // The edge from the sum of vertex i of the other polygon and vertex k of the convex one.
   void add(EdgeName::Kind kind, Rank rank, Index i, Index k) {
-    const Index ia = convex_is_a_ ? k : i;
-    const Index ib = convex_is_a_ ? i : k;
-    links.push_back({{{kind, ia, ib}, rank}, false});
-    starts.push_back(operands_.relative(ia, ib));
+    links.push_back({{{kind, convex_is_a_ ? k : i, convex_is_a_ ? i : k}, rank}, false});
   }
 
   // The gap from there to another sum. There is none before the first edge, nor behind the last:
@@ -127,7 +130,9 @@ class ConvolutionCycle::Tracing {
   void add_gap(Index i, Index k, Index end_i, Index end_k) {
     add(corner_, 0, i, k);
     links.back().is_gap = true;
-    gaps_ += length(starts.back(), relative(end_i, end_k));
+    const Point end =
+        convex_is_a_ ? operands_.relative(end_k, end_i) : operands_.relative(end_i, end_k);
+    gaps_ += length(start(links.size() - 1), end);
   }
 
   // The larger one along an axis.
@@ -136,8 +141,8 @@ class ConvolutionCycle::Tracing {
   }
 
   bool gaps_are_long() {
-    for (; measured_ + 1 < starts.size(); ++measured_) {
-      length_ += length(starts[measured_], starts[measured_ + 1]);
+    for (; measured_ + 1 < links.size(); ++measured_) {
+      length_ += length(start(measured_), start(measured_ + 1));
     }
     return measured_ > few_links && gaps_ > most_gaps * (length_ - gaps_);
   }
@@ -166,8 +171,9 @@ std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands)
     return std::nullopt;
   }
   ConvolutionCycle cycle;
+  const PointVector starts = tracing.starts();
   cycle.links_ = std::move(tracing.links);
-  if (!cycle.find_near(tracing.starts, operands.relative_bounds())) {
+  if (!cycle.find_near(starts, operands.relative_bounds())) {
     return std::nullopt;
   }
   return cycle;
