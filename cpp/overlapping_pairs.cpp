@@ -107,7 +107,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     first_block_[levels_ + 1] = first_block_[levels_] + count;
     ++levels_;
   } while (count > 1);
-  nodes_.resize(first_block_[levels_]);
+  nodes_.resize(first_block_[levels_], boost::container::default_init);
 
   const auto leave_out = [](Block& block, std::uint32_t first) {
     for (std::uint32_t lane = first; lane < width; ++lane) {

@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
 #include <vector>
 
-#include "buffer.hpp"
 #include "lanes.hpp"
 #include "point.hpp"
 
@@ -199,7 +199,7 @@ class OverlappingPairs {
   unsigned before_lanes_;  // the lanes whose boxes may be paired with those of the next ones
   std::uint32_t levels_ = 0;
   std::uint32_t first_block_[most_levels + 1];  // of each level, and the end
-  Buffer<Node> nodes_;
+  boost::container::small_vector<Node, 32> nodes_;
 };
 
 }  // namespace gcv
