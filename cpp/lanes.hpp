@@ -115,8 +115,12 @@ void for_each_lane(unsigned lanes, Visit visit) {
 using FourFloats [[gnu::vector_size(16)]] = float;
 using FourMasks [[gnu::vector_size(16)]] = std::int32_t;
 
-// from<distance>(p, q) gives four in a row of those of p and then of q.
+// rounded(p, q) gives the floats nearest to both numbers of p and then of q, from<distance>(p, q)
+// four in a row of those of p and then of q.
 #ifdef __SSE2__
+inline FourFloats rounded(const PairOfDoubles& p, const PairOfDoubles& q) {
+  return _mm_movelh_ps(_mm_cvtpd_ps(p), _mm_cvtpd_ps(q));
+}
 inline unsigned bits_of(const FourMasks& masks) {
   return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(masks)));
 }
@@ -135,6 +139,10 @@ FourFloats from(const FourFloats& p, const FourFloats& q) {
 #else
 inline unsigned bits_of(const FourMasks& masks) {
   return static_cast<unsigned>((masks[0] & 1) | (masks[1] & 2) | (masks[2] & 4) | (masks[3] & 8));
+}
+inline FourFloats rounded(const PairOfDoubles& p, const PairOfDoubles& q) {
+  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(q[0]),
+          static_cast<float>(q[1])};
 }
 template <int distance>
 FourFloats from(const FourFloats& p, const FourFloats& q) {

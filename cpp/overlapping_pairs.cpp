@@ -16,36 +16,34 @@ double scale_to_one(double extents) {
 
 }  // namespace
 
-// The numbers of the tree for coordinates within some bounds.
+// The numbers of the tree for coordinates within some bounds, where those are finite.
 class OverlappingPairs::Frame {
  public:
   explicit Frame(const Box& bounds)
-      : bounds_(bounds),
+      : origin_{bounds.x0, bounds.y0},
         scale_(scale_to_one(std::max(bounds.x1 - bounds.x0, bounds.y1 - bounds.y0))) {}
 
-  [[nodiscard]] float x(double x) const { return place(x - bounds_.x0); }
-  [[nodiscard]] float y(double y) const { return place(y - bounds_.y0); }
+  [[nodiscard]] bool is_finite() const { return scale_ != 0; }
 
- private:
-  // 0 where the extents overflow.
-  [[nodiscard]] float place(double distance) const {
-    return scale_ == 0 ? 0 : static_cast<float>(distance * scale_);
+  // In doubles, to be rounded to floats.
+  [[nodiscard]] PairOfDoubles place(const PairOfDoubles& point) const {
+    return (point - origin_) * PairOfDoubles{scale_, scale_};
   }
 
-  Box bounds_;
+ private:
+  PairOfDoubles origin_;
   double scale_;
 };
 
 // Without a branch, for edges of a ring go all ways: by p.x < q.x (1), p.y < q.y (2), q.x < p.x (4)
 // and q.y < p.y (8).
-OverlappingPairs::Ways OverlappingPairs::ways_of(const Point& p, const Point& q) {
+OverlappingPairs::Ways OverlappingPairs::ways_of(const PairOfDoubles& from,
+                                                 const PairOfDoubles& to) {
   constexpr Ways on = 5;     // forwards, by x first and by y first
   constexpr Ways back = 10;  // backwards
   constexpr Ways up = 6;     // backwards by x first, forwards by y first
   constexpr Ways down = 9;
   constexpr Ways ways[] = {0, on, on, on, back, 0, up, 0, back, down, 0, 0, back};
-  const PairOfDoubles from{p.x, p.y};
-  const PairOfDoubles to{q.x, q.y};
   return ways[bits_of(less(from, to)) | bits_of(less(to, from)) << 2U];
 }
 
@@ -55,10 +53,16 @@ OverlappingPairs::OverlappingPairs(std::span<const Box> boxes) : before_lanes_(F
     bounds = hull_of(bounds, box);
   }
   const Frame frame(bounds);
+  if (!frame.is_finite()) {
+    build_as_one(boxes.size());
+    return;
+  }
   build(boxes.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
       const Box& box = boxes[first + lane];
-      block.put(lane, {frame.x(box.x0), frame.y(box.y0), frame.x(box.x1), frame.y(box.y1)});
+      const FourFloats placed = rounded(frame.place(PairOfDoubles{box.x0, box.y0}),
+                                        frame.place(PairOfDoubles{box.x1, box.y1}));
+      block.put(lane, {placed[0], placed[1], placed[2], placed[3]});
     }
     return Ways{0};
   });
@@ -69,26 +73,36 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring, const Box& bound
   const bool are_exact = points == Points::exact;
   const float margin = are_exact ? 0 : 0x1p-20F;
   const Frame frame(bounds);
+  if (!frame.is_finite()) {
+    build_as_one(ring.size());
+    return;
+  }
   build(ring.size(), [&](Block& block, std::size_t first, std::uint32_t count) {
-    Ways ways = are_exact ? all_ways : 0;
-    float x[width + 1]{};
-    float y[width + 1]{};
-    x[0] = frame.x(ring[first].x);
-    y[0] = frame.y(ring[first].y);
-    for (std::uint32_t lane = 0; lane < count; ++lane) {
-      const std::size_t k = first + lane;
-      const Point& p = ring[k];
-      const Point& q = ring[k + 1 == ring.size() ? 0 : k + 1];
-      x[lane + 1] = frame.x(q.x);
-      y[lane + 1] = frame.y(q.y);
-      if (are_exact) {
-        ways &= ways_of(p, q);
-      }
+    PairOfDoubles ends[width + 1];
+    for (std::uint32_t k = 0; k <= width; ++k) {
+      const Point& p = ring[first + k < ring.size() ? first + k : 0];
+      ends[k] = PairOfDoubles{p.x, p.y};
     }
-    const FloatLanes from_x = FloatLanes::load(x);
-    const FloatLanes from_y = FloatLanes::load(y);
-    const FloatLanes to_x = FloatLanes::load(x + 1);
-    const FloatLanes to_y = FloatLanes::load(y + 1);
+    Ways ways = are_exact ? all_ways : 0;
+    for (std::uint32_t lane = 0; are_exact && lane < count; ++lane) {
+      ways &= ways_of(ends[lane], ends[lane + 1]);
+    }
+    // As x, y, x, y.
+    const auto two = [&](const PairOfDoubles& p, const PairOfDoubles& q) {
+      return rounded(frame.place(p), frame.place(q));
+    };
+    const FourFloats p0 = two(ends[0], ends[1]);
+    const FourFloats p2 = two(ends[2], ends[3]);
+    const FourFloats p4 = two(ends[4], ends[5]);
+    const FourFloats p6 = two(ends[6], ends[7]);
+    const FourFloats p8 = two(ends[8], ends[8]);
+    const FloatLanes from_x{__builtin_shufflevector(p0, p2, 0, 2, 4, 6),
+                            __builtin_shufflevector(p4, p6, 0, 2, 4, 6)};
+    const FloatLanes from_y{__builtin_shufflevector(p0, p2, 1, 3, 5, 7),
+                            __builtin_shufflevector(p4, p6, 1, 3, 5, 7)};
+    const FloatLanes to_x{from<1>(from_x.low, from_x.high), from<1>(from_x.high, p8)};
+    const FloatLanes to_y{from<1>(from_y.low, from_y.high),
+                          from<1>(from_y.high, __builtin_shufflevector(p8, p8, 1, 1, 1, 1))};
     (smaller(from_x, to_x) - margin).store(block.x0);
     (smaller(from_y, to_y) - margin).store(block.y0);
     (larger(from_x, to_x) + margin).store(block.x1);
@@ -133,6 +147,14 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
       leave_out(parent.block, lanes);
     }
   }
+}
+void OverlappingPairs::build_as_one(std::size_t boxes) {
+  build(boxes, [](Block& block, std::size_t /*first*/, std::uint32_t count) {
+    for (std::uint32_t lane = 0; lane < count; ++lane) {
+      block.put(lane, {0, 0, 0, 0});
+    }
+    return Ways{0};
+  });
 }
 
 }  // namespace gcv

@@ -76,7 +76,7 @@ class OverlappingPairs {
   static constexpr std::uint32_t most_levels = 11;  // of fewer than 2^32 boxes
 
   // In floats, seen from one point and in a unit that brings the extents to about 1. Rounding keeps
-  // order: boxes that are apart there are apart. Where the extents overflow, all overlap.
+  // order: boxes that are apart there are apart. Where the extents overflow, all are the same.
   using NodeBox = LaneBox<FloatLanes>;
   static bool overlap(const NodeBox& p, const NodeBox& q) {
     return !(p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0);
@@ -168,7 +168,7 @@ class OverlappingPairs {
   using Ways = std::uint8_t;
   static constexpr Ways all_ways = 15;
 
-  static Ways ways_of(const Point& p, const Point& q);
+  static Ways ways_of(const PairOfDoubles& from, const PairOfDoubles& to);
 
   struct alignas(16) Node {
     Block block;
@@ -179,6 +179,8 @@ class OverlappingPairs {
   // `count` of them, and tells their ways.
   template <class Fill>
   void build(std::size_t boxes, Fill fill);
+  // All of them the same.
+  void build_as_one(std::size_t boxes);
 
   [[nodiscard]] Ways ways(std::uint32_t level, std::uint32_t node) const {
     return nodes_[first_block_[level] + node].ways;
