@@ -148,6 +148,7 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
     }
   }
 }
+
 void OverlappingPairs::build_as_one(std::size_t boxes) {
   build(boxes, [](Block& block, std::size_t /*first*/, std::uint32_t count) {
     for (std::uint32_t lane = 0; lane < count; ++lane) {
