@@ -141,8 +141,8 @@ inline unsigned bits_of(const FourMasks& masks) {
   return static_cast<unsigned>((masks[0] & 1) | (masks[1] & 2) | (masks[2] & 4) | (masks[3] & 8));
 }
 inline FourFloats rounded(const PairOfDoubles& p, const PairOfDoubles& q) {
-  return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(q[0]),
-          static_cast<float>(q[1])};
+  return FourFloats{static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(q[0]),
+                    static_cast<float>(q[1])};
 }
 template <int distance>
 FourFloats from(const FourFloats& p, const FourFloats& q) {
