@@ -88,6 +88,62 @@ TEST(Lanes, CompareFloats) {
   }
 }
 
+TEST(Lanes, RoundPairsToFloats) {
+  const PairOfDoubles p{0.1, -1e300};
+  const PairOfDoubles q{-0.0, 0x1.000001p0};
+  const FourFloats four = rounded(p, q);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    EXPECT_EQ(four[k], static_cast<float>(k < 2 ? p[k] : q[k - 2]));
+  }
+}
+
+template <int distance>
+void expect_turned() {
+  const float numbers[FloatLanes::width] = {0, 1, 2, 3, 4, 5, 6, 7};
+  float turned[FloatLanes::width];
+  FloatLanes::load(numbers).turned<distance>().store(turned);
+  for (std::uint32_t k = 0; k < FloatLanes::width; ++k) {
+    EXPECT_EQ(turned[k], numbers[(k + distance) % FloatLanes::width]);
+  }
+}
+
+TEST(Lanes, TurnFloats) {
+  expect_turned<1>();
+  expect_turned<2>();
+  expect_turned<3>();
+  expect_turned<4>();
+}
+
+using FloatBox = LaneBox<FloatLanes>;
+using FloatBoxes = BoxBlock<FloatLanes, FloatBox>;
+
+template <int distance>
+void expect_overlapping_at(const FloatBoxes& block) {
+  const auto overlap = [&](std::uint32_t lane) {
+    const FloatBox p = block.box(lane);
+    const FloatBox q = block.box((lane + distance) % FloatLanes::width);
+    return p.x0 <= q.x1 && q.x0 <= p.x1 && p.y0 <= q.y1 && q.y0 <= p.y1;
+  };
+  EXPECT_EQ(block.overlapping_at<distance>(), bits_where(FloatLanes::width, overlap));
+}
+
+TEST(Lanes, FindOverlappingBoxesSoFarBehind) {
+  Random random(4);
+  for (int round = 0; round < rounds; ++round) {
+    FloatBoxes block;
+    for (std::uint32_t lane = 0; lane < FloatLanes::width; ++lane) {
+      const auto number = [&] { return static_cast<float>(uniform(random, 0, 9)); };
+      const float x = number();
+      const float y = number();
+      block.put(lane, {x, y, x + number() / 3, y + number() / 3});
+    }
+    expect_overlapping_at<1>(block);
+    expect_overlapping_at<2>(block);
+    expect_overlapping_at<3>(block);
+    expect_overlapping_at<4>(block);
+  }
+}
+
 TEST(Lanes, CompareAndMultiplyShorts) {
   Random random(3);
   for (int round = 0; round < rounds; ++round) {
