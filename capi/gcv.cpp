@@ -574,7 +574,7 @@ gcv_status gcv_outer_face_edge_sources(const gcv_outer_face* face, gcv_edge_sour
 }
 
 gcv_status gcv_outer_face_error_bound(const gcv_outer_face* face, double* out) {
-  return guarded([&] {
+  return caught([&] {
     require(face, "face");
     require(out, "out");
     *out = face->face.rounded.error_bound;
@@ -606,7 +606,7 @@ gcv_status gcv_outer_face_polygon(const gcv_outer_face* face, gcv_polygon** out)
 }
 
 gcv_status gcv_outer_face_stats(const gcv_outer_face* face, gcv_stats* out) {
-  return guarded([&] {
+  return caught([&] {
     require(face, "face");
     require(out, "out");
     const std::uint32_t size = out->struct_size;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A vector whose elements, where they are trivial, are not written before they get their values: a
-// pass over memory that shows in sums of small polygons.
+// A vector whose elements, where they are trivial, are left unwritten by its size alone, in place
+// of a pass over memory that shows in sums of small polygons: whoever sizes it writes them.
 #pragma once
 
 #include <boost/core/noinit_adaptor.hpp>

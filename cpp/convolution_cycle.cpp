@@ -111,9 +111,8 @@ class ConvolutionCycle::Tracing {
   }
 
   [[nodiscard]] double extent() const {
-    const Box& a = operands_.a.bounds;
-    const Box& b = operands_.b.bounds;
-    return std::max(a.x1 - a.x0 + (b.x1 - b.x0), a.y1 - a.y0 + (b.y1 - b.y0));
+    const Box box = operands_.relative_bounds();
+    return length({box.x0, box.y0}, {box.x1, box.y1});
   }
 
   [[nodiscard]] Point start(std::size_t number) const {

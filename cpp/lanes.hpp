@@ -344,6 +344,10 @@ struct BoxBlock {
     return (Numbers::load(x0) > box.x1) | (Numbers::load(x1) < box.x0) |
            (Numbers::load(y0) > box.y1) | (Numbers::load(y1) < box.y0);
   }
+  // The others, as bits.
+  [[nodiscard]] unsigned overlapping(const Box& box) const {
+    return ~apart(box).bits() & Numbers::all;
+  }
   // The lanes whose boxes overlap those of the lanes so far behind them, round and round.
   template <int distance>
   [[nodiscard]] unsigned overlapping_at() const {
@@ -356,10 +360,6 @@ struct BoxBlock {
                        (all_y0 > all_y1.template turned<distance>()) |
                        (all_y0.template turned<distance>() > all_y1);
     return ~apart.bits() & Numbers::all;
-  }
-  // The others, as bits.
-  [[nodiscard]] unsigned overlapping(const Box& box) const {
-    return ~apart(box).bits() & Numbers::all;
   }
 };
 

@@ -22,6 +22,7 @@ namespace gcv {
 
 namespace {
 
+// Apart from the loop over all vertices: few need it.
 [[gnu::noinline]] RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
   const Polygon& a = *ring.a.polygon;
   const Polygon& b = *ring.b.polygon;

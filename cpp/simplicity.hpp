@@ -44,10 +44,9 @@ struct Conflict {
 };
 
 // Looks for two edges of the closed ring that cross, touch or overlap, other than two
-// neighbours in their common vertex. Consecutive vertices must be distinct, and no
-// vertex may be a spike (an edge turning back on the one before); collinear vertices
-// are allowed. `bounds` is the box of the ring, about. O(n log n); on several threads where few
-// edges are near each other.
+// neighbours in their common vertex; neighbours that overlap, where the ring turns back, count.
+// Consecutive vertices must be distinct; collinear ones are allowed. `bounds` is the box of the
+// ring, about. O(n log n); on several threads where few edges are near each other.
 std::optional<Conflict> find_conflict(std::span<const Point> ring, const Box& bounds,
                                       unsigned threads = 1);
 inline std::optional<Conflict> find_conflict(std::span<const Point> ring) {

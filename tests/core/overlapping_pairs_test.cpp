@@ -95,6 +95,40 @@ TEST(OverlappingPairs, OfRoundedPointsTakeRoomForRounding) {
   EXPECT_TRUE(visits(OverlappingPairs(zigzag, box_of(zigzag), Points::rounded), 2, 4));
 }
 
+// The pairs of edges of the ring, other than neighbours, whose boxes overlap are visited.
+void expect_all_found(const test::Ring& ring, const Box& bounds) {
+  const auto box = [&](std::size_t i) { return box_of(ring[i], ring[(i + 1) % ring.size()]); };
+  std::set<Pair> found;
+  OverlappingPairs(ring, bounds, OverlappingPairs::Points::rounded)
+      .visit_all([&](std::size_t i, std::size_t j) {
+        found.insert({i, j});
+      });
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    for (std::size_t j = i + 2; j < ring.size(); ++j) {
+      if (overlap(box(i), box(j)) && !(i == 0 && j + 1 == ring.size())) {
+        ASSERT_TRUE(found.count({i, j}) != 0) << i << " " << j;
+      }
+    }
+  }
+}
+
+TEST(OverlappingPairs, OfARingAreFoundWithBoundsThatAreOff) {
+  Random random(19);
+  for (int round = 0; round < 50; ++round) {
+    test::Ring ring;
+    for (int k = 0; k < 100; ++k) {
+      ring.push_back({uniform(random, 0, 60) / 1.0, uniform(random, 0, 60) / 1.0});
+    }
+    const Box box = box_of(ring);
+    expect_all_found(ring, box);
+    expect_all_found(ring, {box.x0 + 20, box.y0 - 20, box.x1 + 40, box.y1 - 20});
+    for (Point& p : ring) {
+      p = {std::ldexp(p.x - 30, 1019), std::ldexp(p.y - 30, 1019)};
+    }
+    expect_all_found(ring, box_of(ring));  // infinite extents
+  }
+}
+
 TEST(OverlappingPairs, AreFoundWhereTheExtentsOverflow) {
   std::vector<Box> boxes;
   for (int k = 0; k < 100; ++k) {

@@ -113,6 +113,9 @@ TEST(Polygon, Refusals) {
             Status::not_simple);
   EXPECT_NE(message_of({{0, 0}, {1, nan}, {1, 1}}).find("the y coordinate of vertex 1 is nan"),
             std::string::npos);
+  EXPECT_NE(message_of({{0, 0}, {4, 0}, {4, 4}, {4, 2}, {0, 4}})
+                .find("edges 1 and 2 overlap: the ring turns back at vertex 2 (4, 4)"),
+            std::string::npos);
   EXPECT_NE(message_of({{0, 0}, {2, 2}, {2, 0}, {0, 2}}).find("edges 0 and 2 meet"),
             std::string::npos);
 }
