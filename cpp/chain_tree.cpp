@@ -5,9 +5,6 @@ namespace gcv {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr Box nothing{infinity, infinity, -infinity, -infinity};
-
 Box hull_of(const ChainTree::Block& block) {
   return hull_of(hull_of(block.box(0), block.box(1)), hull_of(block.box(2), block.box(3)));
 }
@@ -35,7 +32,7 @@ ChainTree build_chain_tree(std::span<const Point> ring) {
   const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::uint32_t lanes,
                         const auto& box) {
     for (std::uint32_t k = 0; k < blocks * width; ++k) {
-      tree.blocks[first + k / width].put(k % width, k < lanes ? box(k) : nothing);
+      tree.blocks[first + k / width].put(k % width, k < lanes ? box(k) : empty_box);
     }
   };
   fill(tree.first_block.back(), counts[0], edges,

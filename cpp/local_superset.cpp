@@ -19,8 +19,6 @@ constexpr int most_looks = 600;
 // How far the band goes to the left of the walk, beside how far it goes along.
 constexpr double depth = 0.25;
 
-constexpr Box nowhere{0, 0, 0, 0};
-
 }  // namespace
 
 // A window without what lies left of a line, as a place to search. The bounds of the errors
@@ -65,30 +63,34 @@ class LocalSuperset::Band {
 };
 
 LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
-    : superset_(superset), slack_(slack), reach_(4 * superset.mean_edge_size()), window_(nowhere) {}
+    : superset_(superset),
+      slack_(slack),
+      reach_(4 * superset.mean_edge_size()),
+      window_(empty_box) {}
 
 void LocalSuperset::clear() {
   edges_.clear();
-  x0_.clear();
-  y0_.clear();
-  x1_.clear();
-  y1_.clear();
-  window_ = nowhere;
+  boxes_.clear();
+  window_ = empty_box;
 }
 
 void LocalSuperset::add(const PairEdge& edge, const Box& wide) {
   const Operands& operands = superset_.operands();
   const Point p = operands.relative_start(edge);
   const Point q = operands.relative_end(edge);
-  const bool apart = std::max(p.x, q.x) < wide.x0 || std::min(p.x, q.x) > wide.x1 ||
-                     std::max(p.y, q.y) < wide.y0 || std::min(p.y, q.y) > wide.y1;
-  if (!apart) {
-    edges_.push_back(edge);
-    x0_.push_back(p.x);
-    y0_.push_back(p.y);
-    x1_.push_back(q.x);
-    y1_.push_back(q.y);
+  const Box box = box_of(p, q);
+  if (are_apart(box, wide)) {
+    return;
   }
+  const auto lane = static_cast<std::uint32_t>(edges_.size() % width);
+  if (lane == 0) {
+    boxes_.emplace_back();
+    for (std::uint32_t k = 0; k < width; ++k) {
+      boxes_.back().put(k, empty_box);
+    }
+  }
+  boxes_.back().put(lane, box);
+  edges_.push_back({edge, p, q});
 }
 
 bool LocalSuperset::gather(const Point& from, const Point& to, PairsMet* met) {
@@ -104,7 +106,7 @@ bool LocalSuperset::gather(const Point& from, const Point& to, PairsMet* met) {
   const Box window{centre.x - reach_, centre.y - reach_, centre.x + reach_, centre.y + reach_};
   leftmost_ = dx_ * from.y - dy_ * from.x + depth * reach_ * length_bound(dx_, dy_) +
               std::numeric_limits<double>::min();
-  const Box wide{window.x0 - slack_, window.y0 - slack_, window.x1 + slack_, window.y1 + slack_};
+  const Box wide = widened(window, slack_);
   Band band(wide, dx_, dy_, leftmost_ + offset_tolerance(dx_, dy_, slack_));
   superset_.search(
       band,
@@ -129,8 +131,6 @@ bool LocalSuperset::gather(const Point& from, const Point& to, PairsMet* met) {
   } else if (edges_.size() < few) {
     reach_ *= 1.4;
   }
-  beyond_line_.resize(edges_.size());
-  beyond_box_.resize(edges_.size());
   return true;
 }
 

@@ -7,9 +7,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "implicit_superset.hpp"
+#include "lanes.hpp"
 #include "point.hpp"
 
 namespace gcv {
@@ -33,31 +35,40 @@ class LocalSuperset {
   // on the line through `origin` with direction (dx, dy).
   template <class Visit>
   void for_each_near(const Point& origin, double dx, double dy, const Point& from, const Point& to,
-                     Visit visit) {
+                     Visit visit) const {
     const double tolerance = offset_tolerance(dx, dy, slack_);
     const double offset = dx * origin.y - dy * origin.x;
-    const Box box = box_of(from, to);
-    const std::size_t count = edges_.size();
-    for (std::size_t k = 0; k < count; ++k) {
-      const double start = dx * y0_[k] - dy * x0_[k];
-      const double stop = dx * y1_[k] - dy * x1_[k];
-      beyond_line_[k] = std::max(std::min(start, stop) - offset, offset - std::max(start, stop));
-      const double x =
-          std::max(std::min(x0_[k], x1_[k]) - box.x1, box.x0 - std::max(x0_[k], x1_[k]));
-      const double y =
-          std::max(std::min(y0_[k], y1_[k]) - box.y1, box.y0 - std::max(y0_[k], y1_[k]));
-      beyond_box_[k] = std::max(x, y);
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      if (!(beyond_line_[k] > tolerance) && !(beyond_box_[k] > slack_)) {
-        visit(edges_[k]);
-      }
+    const Box box = widened(box_of(from, to), slack_);
+    for (std::size_t k = 0; k < boxes_.size(); ++k) {
+      for_each_lane(boxes_[k].overlapping(box), [&](std::uint32_t lane) {
+        const std::size_t number = width * k + lane;
+        if (number >= edges_.size()) {  // missing lanes, where numbers have overflowed
+          return;
+        }
+        const Edge& edge = edges_[number];
+        const double start = dx * edge.from.y - dy * edge.from.x;
+        const double end = dx * edge.to.y - dy * edge.to.x;
+        const double beyond_line =
+            std::max(std::min(start, end) - offset, offset - std::max(start, end));
+        if (!(beyond_line > tolerance)) {
+          visit(edge.name);
+        }
+      });
     }
   }
 
   [[nodiscard]] double reach() const { return reach_; }
 
  private:
+  using Boxes = BoxBlock<DoubleLanes, Box>;
+  static constexpr std::uint32_t width = DoubleLanes::width;
+
+  // A superset edge with its ends in relative coordinates.
+  struct Edge {
+    PairEdge name;
+    Point from;
+    Point to;
+  };
   class Band;
 
   [[nodiscard]] bool covers(const Point& p) const {
@@ -74,9 +85,8 @@ class LocalSuperset {
   double dx_ = 0;  // the band lies right of the line of the offset `leftmost_`
   double dy_ = 0;
   double leftmost_ = 0;
-  std::vector<PairEdge> edges_;
-  std::vector<double> x0_, y0_, x1_, y1_;
-  Buffer<double> beyond_line_, beyond_box_;
+  std::vector<Edge> edges_;
+  std::vector<Boxes> boxes_;  // of as many edges each as they have lanes
 };
 
 }  // namespace gcv

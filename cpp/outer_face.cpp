@@ -462,8 +462,7 @@ class Walker {
   // Can the edge pass through the end of s?
   [[nodiscard]] bool comes_near_end(const PairEdge& e) const {
     const Box box = box_of(operands_.relative_start(e), operands_.relative_end(e));
-    return !(end_.x < box.x0 - slack_ || end_.x > box.x1 + slack_ || end_.y < box.y0 - slack_ ||
-             end_.y > box.y1 + slack_);
+    return !are_apart(widened(box, slack_), box_of(end_, end_));
   }
 
   // Is the event strictly beyond the place on s? An event edge t goes from left to right,

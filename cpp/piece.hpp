@@ -40,8 +40,7 @@ class Piece {
 
   void shorten(const Point& to) {
     to_ = to;
-    const Box box = box_of(from_, to);
-    box_ = {box.x0 - slack_, box.y0 - slack_, box.x1 + slack_, box.y1 + slack_};
+    box_ = widened(box_of(from_, to), slack_);
   }
 
   [[nodiscard]] ImplicitSuperset::Offsets offsets(const Box& box) const {

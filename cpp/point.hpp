@@ -51,6 +51,11 @@ struct Box {
   double x0, y0, x1, y1;
 };
 
+// The box of no point.
+inline constexpr Box empty_box{
+    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+
 // The box of the segment pq.
 inline Box box_of(const Point& p, const Point& q) {
   return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
@@ -59,6 +64,16 @@ inline Box box_of(const Point& p, const Point& q) {
 // That of two boxes.
 inline Box hull_of(const Box& p, const Box& q) {
   return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
+}
+
+// The box with that much more on each side.
+inline Box widened(const Box& box, double more) {
+  return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};
+}
+
+// False where numbers have overflowed.
+inline bool are_apart(const Box& p, const Box& q) {
+  return p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0;
 }
 
 // That of some points, at least one.
