@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Searches in the superset, in both its forms, against all its edges, one by one. The polygons have
-// small integer coordinates, times a power of two: there the positions of edges are exact in
-// doubles.
+// Searches in the superset, in both its forms and by windows, against all its edges, one by one.
+// The polygons have small integer coordinates, times a power of two: there the positions of edges
+// are exact in doubles.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <set>
 #include <tuple>
 #include <vector>
 
 #include "generators.hpp"
 #include "implicit_superset.hpp"
+#include "local_superset.hpp"
 #include "piece.hpp"
 #include "predicates.hpp"
 #include "superset_tree.hpp"
@@ -164,6 +166,31 @@ TEST(ImplicitSuperset, FindsAllEdgesThatMeetAPiece) {
       superset.search(place, [&](Index i, Index j) { superset.for_each_edge(i, j, visit); });
     };
   });
+}
+
+TEST(LocalSuperset, HoldsAllEdgesThatMeetAPiece) {
+  std::size_t windows = 0;
+  std::size_t pieces = 0;
+  const auto prepare = [&](const Operands& operands, const std::vector<PairEdge>& /*edges*/) {
+    auto superset = std::make_shared<ImplicitSuperset>(operands);
+    auto local = std::make_shared<LocalSuperset>(*superset, slack_of(operands));
+    return [&windows, &pieces, superset, local, slack = slack_of(operands)](
+               const SumEdge& edge, const Segment& piece, auto visit) {
+      const auto& [from, to] = piece;
+      const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
+      ++pieces;
+      if (local->covers(from, to) ||
+          (length < local->reach() && local->gather(from, to, nullptr))) {
+        ++windows;
+        local->for_each_near(edge.from, edge.dx, edge.dy, from, to, visit);
+      } else {
+        Piece place(edge, edge.from, from, to, slack);
+        superset->search(place, [&](Index i, Index j) { superset->for_each_edge(i, j, visit); });
+      }
+    };
+  };
+  expect_all_found(0.3, prepare);
+  EXPECT_GT(windows, pieces / 2);
 }
 
 }  // namespace
