@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "directions.hpp"
 #include "polygon.hpp"
@@ -40,7 +41,8 @@ enum class Merge : std::uint8_t {
   end,    // case 3: to v_{i+1} + w_{j+1}, as long as the longer edge
 };
 
-// Two polygons with their directions: what Definition 1 is about.
+// Two polygons with their directions: what Definition 1 is about. Edges can be named, and points
+// found, before the directions are known.
 struct Operands {
   const Polygon& a;
   const Polygon& b;
@@ -55,6 +57,13 @@ struct Operands {
 
   [[nodiscard]] PairEdge named(const EdgeName& e) const {
     return e.kind == EdgeName::translated ? translated(e.i, e.j) : corner(e.i, e.j);
+  }
+
+  // The ends of the edge of A or B that it is made of.
+  [[nodiscard]] std::pair<const Point&, const Point&> source(const EdgeName& e) const {
+    return e.kind == EdgeName::translated
+               ? std::pair<const Point&, const Point&>{a.vertices[e.i], a.vertices[a.next(e.i)]}
+               : std::pair<const Point&, const Point&>{b.vertices[e.j], b.vertices[b.next(e.j)]};
   }
 
   [[nodiscard]] SumPoint start(const EdgeName& e) const {

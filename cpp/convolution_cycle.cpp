@@ -31,15 +31,18 @@ constexpr std::uint8_t most_near = 64;
 // two ways along the same line: first the one and then the other, or the other way round. If the
 // former starts or ends in a convex vertex, both are whole and coincide, and one is taken. Else
 // there are two translated edges, one from each end of the other's.
+//
+// Edge k of the convex polygon is the next one that a turn to the left passes: the direction of the
+// other's last edge is that of the edge before k, or lies between both, or else is that of k. So
+// all directions that are compared are less than half a turn apart.
 class ConvolutionCycle::Tracing {
  public:
-  explicit Tracing(const Operands& operands)
+  Tracing(const Operands& operands, Tally& tally)
       : operands_(operands),
+        tally_(tally),
         convex_is_a_(operands.a.is_convex),
         convex_(convex_is_a_ ? operands.a : operands.b),
-        other_(convex_is_a_ ? operands.b : operands.a),
-        convex_ranks_(convex_is_a_ ? operands.directions.rank_a : operands.directions.rank_b),
-        other_ranks_(convex_is_a_ ? operands.directions.rank_b : operands.directions.rank_a) {}
+        other_(convex_is_a_ ? operands.b : operands.a) {}
 
   // False where there are too many links, or too long gaps.
   bool run() {
@@ -49,35 +52,16 @@ class ConvolutionCycle::Tracing {
       return false;
     }
     links.reserve(vertices + vertices / 4);
-    Rank in = other_ranks_.back();
-    Index k = first_vertex(in);
+    find_first();
     for (Index i = 0; i < other_.size(); ++i) {
-      const Rank out = other_ranks_[i];
       if (other_.corners[i].convex) {
-        const Rank cone = angle(in, out);
-        for (; angle(in, convex_ranks_[k]) <= cone; k = convex_.next(k)) {
-          add(corner_, convex_ranks_[k], i, k);
-        }
+        turn_left(i);
       } else {
-        const Index from = k;
-        const Rank cone = angle(out, in);
-        while (angle(out, convex_ranks_[convex_.previous(k)]) <= cone) {
-          k = convex_.previous(k);
-        }
-        if (k != from) {
-          add_gap(i, from, i, k);
-        }
-      }
-      add(translated_, out, i, k);
-      if (convex_ranks_[k] == out && !other_.corners[other_.next(i)].convex) {
-        const Index from = std::exchange(k, convex_.next(k));
-        add_gap(other_.next(i), from, i, k);
-        add(translated_, out, i, k);
+        turn_back(i);
       }
       if (links.size() > most || (gaps_ > short_gaps_ && gaps_are_long())) {
         return false;
       }
-      in = out;
     }
     return true;
   }
@@ -94,20 +78,62 @@ class ConvolutionCycle::Tracing {
   std::vector<Link> links;
 
  private:
-  [[nodiscard]] Rank angle(Rank from, Rank to) const {
-    return operands_.directions.angle(from, to);
+  // The sign of the turn from edge k of the convex polygon to edge i of the other one.
+  int turn_to(Index k, Index i) {
+    return turn(convex_.vertices[k], convex_.vertices[convex_.next(k)], other_.vertices[i],
+                other_.vertices[other_.next(i)], tally_);
   }
 
-  // The vertex of the convex polygon with which the cycle comes to vertex 0 of the other one, which
-  // is convex, along an edge of that rank: behind an edge with the same rank, or else, if the
-  // vertex before is reflex, in front of it.
-  [[nodiscard]] Index first_vertex(Rank in) const {
-    Index k = 0;
-    const auto before = [&] { return convex_ranks_[convex_.previous(k)]; };
-    while (angle(before(), in) >= angle(before(), convex_ranks_[k])) {
-      k = convex_.next(k);
+  // The cycle comes to vertex 0 of the other polygon, which is convex, along its last edge: behind
+  // an edge of the same direction, or else, if the vertex before is reflex, in front of it.
+  void find_first() {
+    const Index last = other_.size() - 1;
+    int from_before = turn_to(convex_.size() - 1, last);
+    int from_k = turn_to(0, last);
+    while (!(from_before >= 0 && from_k < 0)) {
+      k_ = convex_.next(k_);
+      from_before = std::exchange(from_k, turn_to(k_, last));
     }
-    return before() == in && !other_.corners.back().convex ? convex_.previous(k) : k;
+    if (from_before == 0 && !other_.corners[last].convex) {
+      k_ = convex_.previous(k_);
+      is_along_k_ = true;
+    }
+  }
+
+  // Along the edges of the convex polygon in the cone of convex vertex i, and edge i.
+  void turn_left(Index i) {
+    bool is_straight = std::exchange(is_along_k_, false);
+    for (int order = turn_to(k_, i); order >= 0; order = turn_to(k_, i)) {
+      add(corner_, i, k_, is_straight);
+      is_straight = order == 0;
+      k_ = convex_.next(k_);
+    }
+    add(translated_, i, k_, is_straight);
+  }
+
+  // Back over the edges in the turn at reflex vertex i, and along edge i: both ways round, where it
+  // has the direction of one of those and no convex vertex is next.
+  void turn_back(Index i) {
+    const Index from = k_;
+    is_along_k_ = false;
+    for (Index before = convex_.previous(k_);; before = convex_.previous(k_)) {
+      const int order = turn_to(before, i);
+      if (order > 0) {
+        break;
+      }
+      k_ = before;
+      is_along_k_ = order == 0;
+    }
+    if (k_ != from) {
+      add_gap(i, from, i, k_);
+    }
+    add(translated_, i, k_, false);
+    if (is_along_k_ && !other_.corners[other_.next(i)].convex) {
+      const Index passed = std::exchange(k_, convex_.next(k_));
+      is_along_k_ = false;
+      add_gap(other_.next(i), passed, i, k_);
+      add(translated_, i, k_, false);
+    }
   }
 
   [[nodiscard]] double extent() const {
@@ -120,14 +146,14 @@ class ConvolutionCycle::Tracing {
   }
 
   // The edge from the sum of vertex i of the other polygon and vertex k of the convex one.
-  void add(EdgeName::Kind kind, Rank rank, Index i, Index k) {
-    links.push_back({{{kind, convex_is_a_ ? k : i, convex_is_a_ ? i : k}, rank}, false});
+  void add(EdgeName::Kind kind, Index i, Index k, bool is_straight) {
+    links.push_back({{kind, convex_is_a_ ? k : i, convex_is_a_ ? i : k}, false, is_straight});
   }
 
   // The gap from there to another sum. There is none before the first edge, nor behind the last:
   // once round, the convex polygon has turned once, too.
   void add_gap(Index i, Index k, Index end_i, Index end_k) {
-    add(corner_, 0, i, k);
+    add(corner_, i, k, false);
     links.back().is_gap = true;
     const Point end =
         convex_is_a_ ? operands_.relative(end_k, end_i) : operands_.relative(end_i, end_k);
@@ -147,25 +173,26 @@ class ConvolutionCycle::Tracing {
   }
 
   const Operands& operands_;
+  Tally& tally_;
   bool convex_is_a_;
   EdgeName::Kind translated_ = convex_is_a_ ? EdgeName::corner : EdgeName::translated;
   EdgeName::Kind corner_ = convex_is_a_ ? EdgeName::translated : EdgeName::corner;
   const Polygon& convex_;
   const Polygon& other_;
-  const Ranks& convex_ranks_;
-  const Ranks& other_ranks_;
-  double gaps_ = 0;  // the sum of their lengths
+  Index k_ = 0;
+  bool is_along_k_ = false;  // the other's last edge has the direction of edge k
+  double gaps_ = 0;          // the sum of their lengths
   // Gaps of that length are not too long: a whole cycle goes there and back through the bounds.
   double short_gaps_ = 2 * most_gaps / (1 + most_gaps) * extent();
   std::size_t measured_ = 0;
   double length_ = 0;  // of so many links
 };
 
-std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands) {
+std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands& operands, Tally& tally) {
   if (operands.a.is_convex == operands.b.is_convex) {
     return std::nullopt;
   }
-  Tracing tracing(operands);
+  Tracing tracing(operands, tally);
   if (!tracing.run()) {
     return std::nullopt;
   }

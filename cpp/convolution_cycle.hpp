@@ -20,13 +20,17 @@ namespace gcv {
 class ConvolutionCycle {
  public:
   // None where not just one polygon is convex, or where searches for each step would take less. Of
-  // superset edges that lie on others of the same direction, some are left out. O(n + m).
-  static std::optional<ConvolutionCycle> find(const Operands& operands);
+  // superset edges that lie on others of the same direction, some are left out. The directions need
+  // not be known. O(n + m).
+  static std::optional<ConvolutionCycle> find(const Operands& operands, Tally& tally);
 
   // Edges and gaps are numbered together, from 0.
   [[nodiscard]] Index size() const { return static_cast<Index>(links_.size()); }
   [[nodiscard]] bool is_gap(Index number) const { return links_[number].is_gap; }
-  [[nodiscard]] const PairEdge& edge(Index number) const { return links_[number].edge; }
+  [[nodiscard]] const EdgeName& edge(Index number) const { return links_[number].edge; }
+
+  // Has the edge the direction of the one before it in the cycle?
+  [[nodiscard]] bool goes_straight_on(Index number) const { return links_[number].is_straight; }
 
   // The number of the edge that starts in a vertex of the hull of the sum. O(n + m).
   [[nodiscard]] Index first_from(Index i, Index j) const;
@@ -54,8 +58,9 @@ class ConvolutionCycle {
 
   // An edge, or else a gap: the way from the end of one edge to the start of the next.
   struct Link {
-    PairEdge edge;
+    EdgeName edge;
     bool is_gap;
+    bool is_straight;  // it goes straight on from the edge before
     std::uint8_t near_count = 0;
     Index first_near = 0;  // where near() begins in near_
   };

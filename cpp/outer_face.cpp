@@ -86,8 +86,9 @@ struct Arc {
 // chains prevail, so that too many edges coincide.
 class Superset {
  public:
-  explicit Superset(const Operands& operands)
-      : operands_(operands), cycle_(ConvolutionCycle::find(operands)) {
+  // Without a cycle, the directions are known.
+  Superset(const Operands& operands, std::optional<ConvolutionCycle> cycle)
+      : operands_(operands), cycle_(std::move(cycle)) {
     if (cycle_) {
       return;
     }
@@ -157,15 +158,16 @@ class Walker {
                                      : RingVertex::crossing(arriving, next));
       }
       count_step();
-      if (const PairEdge* const onwards = only_way_on()) {
+      if (const std::optional<Index> onwards = only_way_on()) {
+        const EdgeName& edge = superset_.cycle()->edge(*onwards);
         line_.edge = next;
-        stop_at({onwards->i, onwards->j});
+        stop_at({edge.i, edge.j});
         if (place_.sum == VertexSum{last.i, last.j}) {
           break;
         }
         arriving = next;
-        turns = onwards->rank != next.rank;
-        next = *onwards;
+        turns = !superset_.cycle()->goes_straight_on(*onwards);
+        next = unranked(edge);
         continue;
       }
       set_out(next);
@@ -189,7 +191,7 @@ class Walker {
                     operands_.b.corners[end_sum_.j].vertex_number);
       }
       arriving = line_.edge;
-      turns = next.rank != line_.edge.rank;
+      turns = turn_between(line_.edge, next) != 0;
     }
     task_.advance(walk_.steps % Task::portion);
     return {std::move(walk_), line_.edge, tally_};
@@ -212,15 +214,37 @@ class Walker {
 
   // Where the superset is a cycle, and no edges come near s but its neighbours: the one behind it,
   // which the walk is on then.
-  const PairEdge* only_way_on() {
+  std::optional<Index> only_way_on() {
     const auto& cycle = superset_.cycle();
     const std::optional<Index> next = cycle ? cycle->only_way_on(number_) : std::nullopt;
-    if (!next) {
-      return nullptr;
+    if (next) {
+      ++walk_.candidates;
+      number_ = *next;
     }
-    ++walk_.candidates;
-    number_ = *next;
-    return &cycle->edge(number_);
+    return next;
+  }
+
+  // Where the superset is a cycle, directions have no ranks.
+  static PairEdge unranked(const EdgeName& edge) { return {edge, 0}; }
+
+  // The sign of the turn from one edge to another, 1 to the left; 0 for opposite ones too.
+  int turn_between(const PairEdge& e, const PairEdge& f) {
+    if (superset_.cycle()) {
+      const auto [e_from, e_to] = operands_.source(e);
+      const auto [f_from, f_to] = operands_.source(f);
+      return turn(e_from, e_to, f_from, f_to, tally_);
+    }
+    const Rank angle = directions_.angle(e.rank, f.rank);
+    return angle == 0 || angle == directions_.half_turn ? 0
+           : angle < directions_.half_turn              ? 1
+                                                        : -1;
+  }
+
+  // Are parallel edges opposite to each other?
+  [[nodiscard]] bool are_opposite(const EdgeName& e, const EdgeName& f) const {
+    const auto [e_from, e_to] = operands_.source(e);
+    const auto [f_from, f_to] = operands_.source(f);
+    return points_up(e_from, e_to) != points_up(f_from, f_to);
   }
 
   // One face of an arrangement of N segments has almost N edges at most, up to a factor
@@ -284,15 +308,15 @@ class Walker {
   PairEdge first_edge(Index i, Index j) {
     if (const auto& cycle = superset_.cycle()) {
       number_ = cycle->first_from(i, j);
-      return cycle->edge(number_);
+      return unranked(cycle->edge(number_));
     }
     const PairEdge translated = operands_.translated(i, j);
     const PairEdge corner = operands_.corner(i, j);
-    const Rank angle = directions_.angle(translated.rank, corner.rank);
-    if (angle == 0) {
+    const int turn = turn_between(translated, corner);
+    if (turn == 0) {
       return preferred(line_of(translated), line_of(corner)) ? translated : corner;
     }
-    return angle < directions_.half_turn ? translated : corner;
+    return turn > 0 ? translated : corner;
   }
 
   // A point on the line in relative coordinates.
@@ -326,7 +350,7 @@ class Walker {
   void find_step_in_cycle(const ConvolutionCycle& cycle) {
     Index next = number_;
     const auto consider_number = [&](Index number) {
-      if (consider(cycle.edge(number))) {
+      if (consider_unranked(cycle.edge(number))) {
         next = number;
       }
     };
@@ -406,10 +430,23 @@ class Walker {
     if (angle > directions_.half_turn) {
       return consider_event(e);
     }
-    if (angle < directions_.half_turn && !event_ && !(end_of(e) == end_sum_) && comes_near_end(e)) {
-      return consider_onwards(e);
+    return angle < directions_.half_turn && can_lead_onwards(e) && consider_onwards(e);
+  }
+
+  // The same where the superset is a cycle.
+  bool consider_unranked(const EdgeName& name) {
+    const PairEdge e = unranked(name);
+    const int turn = turn_between(line_.edge, e);
+    if (turn < 0) {
+      return consider_event(e);
     }
-    return false;
+    return can_lead_onwards(e) && !(turn == 0 && are_opposite(line_.edge, e)) &&
+           consider_onwards(e);
+  }
+
+  // May the edge, which does not turn right, be the one behind the end of s?
+  [[nodiscard]] bool can_lead_onwards(const PairEdge& e) const {
+    return !event_ && !(end_of(e) == end_sum_) && comes_near_end(e);
   }
 
   // The parameter on s of a point of s, about.
@@ -446,9 +483,8 @@ class Walker {
   bool consider_onwards(const PairEdge& e) {
     ++walk_.candidates;
     if (onwards_) {
-      const Rank left = directions_.angle(line_.edge.rank, e.rank);
-      const Rank best_left = directions_.angle(line_.edge.rank, onwards_->rank);
-      if (left > best_left || (left == best_left && !preferred(line_of(e), line_of(*onwards_)))) {
+      const int left = turn_between(*onwards_, e);
+      if (left > 0 || (left == 0 && !preferred(line_of(e), line_of(*onwards_)))) {
         return false;
       }
     }
@@ -507,10 +543,8 @@ class Walker {
     } else if (event_->place.is_sum) {
       take_sum(event.place, event_->place.sum);
     }
-    const Rank rank = line_.edge.rank;
-    const Rank angle = directions_.angle(rank, event.line.edge.rank);
-    const Rank best_angle = directions_.angle(rank, event_->line.edge.rank);
-    return angle < best_angle || (angle == best_angle && preferred(event.line, event_->line));
+    const int right = turn_between(event.line.edge, event_->line.edge);
+    return right > 0 || (right == 0 && preferred(event.line, event_->line));
   }
 
   static void take_sum(Place& place, const VertexSum& sum) {
@@ -589,8 +623,9 @@ Walk walk_outer_face(const Polygon& a, const Polygon& b, Task& task, Tally& tall
   if (a.is_convex && b.is_convex) {
     return merge_convex(a, b, tally);
   }
-  const Operands operands{a, b, merge_directions(a, b, tally)};
-  const Superset superset(operands);
+  std::optional<ConvolutionCycle> cycle = ConvolutionCycle::find({a, b, {}}, tally);
+  const Operands operands{a, b, cycle ? Directions{} : merge_directions(a, b, tally)};
+  const Superset superset(operands, std::move(cycle));
   const double slack = slack_of(operands);
   const std::vector<HullVertex> starts = hull_vertices(a, b, task.threads());
   std::vector<Arc> arcs(starts.size());

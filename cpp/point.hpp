@@ -30,6 +30,11 @@ inline bool lexicographically_less(const Point& p, const Point& q) {
   return p.x < q.x || (p.x == q.x && p.y < q.y);
 }
 
+// Is the angle of the direction from p to q in [0, pi)?
+inline bool points_up(const Point& p, const Point& q) {
+  return p.y < q.y || (p.y == q.y && p.x < q.x);
+}
+
 // The number of the point that comes before all others; of equal ones, the first. At least one.
 template <class IsBefore>
 std::size_t first_of(std::span<const Point> points, IsBefore is_before) {

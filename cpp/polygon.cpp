@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "direction_key.hpp"
 #include "error.hpp"
 #include "predicates.hpp"
 #include "simplicity.hpp"
@@ -129,99 +128,13 @@ void take_corners(const Chain& chain, Polygon& polygon) {
       const bool is_convex = chain.marks[i].turn == left;
       polygon.vertices[corner] = chain.points[i];
       polygon.corners[corner] = {chain.marks[i].number, chain.marks[left > 0 ? i : before].number,
-                                 0, is_convex, false};
+                                 is_convex};
       polygon.is_convex = polygon.is_convex && is_convex;
       ++corner;
     }
     i = left > 0 ? chain.next(i) : before;
   } while (i != first);
 }
-
-// Sorts the line directions of the edges, and numbers them.
-class LineSorter {
- public:
-  explicit LineSorter(Polygon& polygon) : polygon_(polygon), lines_(polygon.lines) {}
-
-  // By keys first. Where some of those are too near each other, exactly.
-  void run() {
-    take_lines();
-    if (polygon_.is_convex) {
-      merge_halves();
-    } else {
-      std::sort(lines_.begin(), lines_.end(),
-                [](const Line& e, const Line& f) { return e.key > f.key; });
-    }
-    if (!number_lines()) {
-      take_lines();
-      std::stable_sort(lines_.begin(), lines_.end(), Before{this});
-      number_lines();
-    }
-  }
-
- private:
-  using Line = Polygon::Line;
-
-  // One for each edge.
-  void take_lines() {
-    lines_.resize(polygon_.size());
-    for (Index i = 0; i < polygon_.size(); ++i) {
-      const Point& p = polygon_.vertices[i];
-      const Point& q = polygon_.vertices[polygon_.next(i)];
-      const bool upper = points_up(p, q);
-      polygon_.corners[i].upper = upper;
-      lines_[i] = {upper ? direction_key(p, q) : direction_key(q, p), i};
-    }
-  }
-
-  // 1 where e comes before f, 0 where they are parallel.
-  int compare(const Line& e, const Line& f) {
-    if (const int order = compare_keys(e.key, f.key)) {
-      return order;
-    }
-    const int sense = polygon_.corners[e.edge].upper == polygon_.corners[f.edge].upper ? 1 : -1;
-    return sense * turn(polygon_.vertices[e.edge], polygon_.vertices[polygon_.next(e.edge)],
-                        polygon_.vertices[f.edge], polygon_.vertices[polygon_.next(f.edge)],
-                        tally_);
-  }
-
-  struct Before {
-    LineSorter* sorter;
-    bool operator()(const Line& e, const Line& f) const { return sorter->compare(e, f) > 0; }
-  };
-
-  // Of a convex polygon, the edges that point up are in order, and those that point down.
-  void merge_halves() {
-    const auto is_up = [this](const Line& e) { return polygon_.corners[e.edge].upper; };
-    const auto up = std::find_if(lines_.begin(), lines_.end(), [&](const Line& e) {
-      return is_up(e) && !polygon_.corners[polygon_.previous(e.edge)].upper;
-    });
-    std::rotate(lines_.begin(), up, lines_.end());
-    const auto down = std::find_if_not(lines_.begin(), lines_.end(), is_up);
-    std::inplace_merge(lines_.begin(), down, lines_.end(), Before{this});
-  }
-
-  // Of parallel lines, the one of the first edge stays. False where they are not in order.
-  bool number_lines() {
-    Index last = 0;
-    for (const Line& line : std::span(lines_).subspan(1)) {
-      const int order = compare(lines_[last], line);
-      if (order > 0) {
-        lines_[++last] = line;
-      } else if (order < 0) {
-        return false;
-      } else if (line.edge < lines_[last].edge) {
-        lines_[last] = line;
-      }
-      polygon_.corners[line.edge].line = last;
-    }
-    lines_.resize(std::size_t{last} + 1);
-    return true;
-  }
-
-  Polygon& polygon_;
-  Buffer<Line>& lines_;
-  Tally tally_;
-};
 
 }  // namespace
 
@@ -250,7 +163,6 @@ Polygon make_polygon(PointVector boundary, const char* name) {
       static_cast<Index>(first_of(polygon.vertices, [](const Point& p, const Point& q) {
         return lexicographically_less(q, p);
       }));
-  LineSorter(polygon).run();
   return polygon;
 }
 
@@ -275,9 +187,6 @@ Polygon reflected(const Polygon& polygon) {
   }
   result.bounds = {0.0 - polygon.bounds.x1, 0.0 - polygon.bounds.y1, 0.0 - polygon.bounds.x0,
                    0.0 - polygon.bounds.y0};
-  for (Polygon::Corner& corner : result.corners) {
-    corner.upper = !corner.upper;
-  }
   std::swap(result.lexicographic_min, result.lexicographic_max);
   return result;
 }

@@ -12,6 +12,7 @@
 #include "capsules.hpp"
 #include "chain_tree.hpp"
 #include "lazy.hpp"
+#include "line_directions.hpp"
 #include "point.hpp"
 
 namespace gcv {
@@ -33,20 +34,10 @@ struct Polygon {
   struct Corner {
     Index vertex_number;  // the caller's
     Index edge_number;    // likewise; of merged edges, the first along the ring
-    Index line;           // the edge's line direction
     bool convex;          // strictly, or else the vertex is strictly reflex
-    bool upper;           // the edge points along its line direction, or else against it
   };
   Buffer<Corner> corners;
   bool is_convex = false;  // all vertices are
-
-  // Directions up to sign, sorted: the line directions (angles in [0, pi)) that occur are numbered
-  // in counter-clockwise order.
-  struct Line {
-    double key;  // that of direction_key.hpp
-    Index edge;  // one edge with that line direction
-  };
-  Buffer<Line> lines;
 
   Box bounds{};
   Index lexicographic_min = 0;
@@ -64,10 +55,27 @@ struct Polygon {
     return {p.x - origin.x, p.y - origin.y};
   }
 
+  // The line direction of edge i, as that from one point to another.
+  struct LineDirection {
+    const Point& from;
+    const Point& to;
+  };
+  [[nodiscard]] LineDirection line_direction(Index i) const {
+    const Point& p = vertices[i];
+    const Point& q = vertices[next(i)];
+    return points_up(p, q) ? LineDirection{p, q} : LineDirection{q, p};
+  }
+
+  // What follows is made when it is first asked for. Sums of two convex polygons, and most of a
+  // convex one and another, do without both.
+  [[nodiscard]] const LineDirections& line_directions() const {
+    return line_directions_.get([this] { return sort_line_directions(*this); });
+  }
   // Over relative vertices. Sums with few superset edges do without.
   [[nodiscard]] const ChainIndex& index() const;
 
  private:
+  Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
 };
 

@@ -13,10 +13,6 @@
 
 namespace gcv {
 
-inline bool points_up(const Point& p, const Point& q) {
-  return p.y < q.y || (p.y == q.y && p.x < q.x);
-}
-
 // Does the ring turn the same way at every vertex, and once round in all? Then it is the
 // boundary of a convex polygon, and simple. Turning by less than half a turn each time, it
 // goes round once where its edges change once from pointing up to pointing down. turn_at(i) is

@@ -5,7 +5,9 @@
 
 namespace gcv {
 
-std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands&) { return std::nullopt; }
+std::optional<ConvolutionCycle> ConvolutionCycle::find(const Operands&, Tally&) {
+  return std::nullopt;
+}
 
 Index ConvolutionCycle::first_from(Index, Index) const { return 0; }
 

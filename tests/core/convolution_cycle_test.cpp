@@ -29,7 +29,7 @@ class Sum {
  public:
   Sum(const Polygon& a, const Polygon& b)
       : operands_{a, b, merge_directions(a, b, tally_)},
-        cycle_(ConvolutionCycle::find(operands_)) {}
+        cycle_(ConvolutionCycle::find({a, b, {}}, tally_)) {}
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
   [[nodiscard]] const std::optional<ConvolutionCycle>& cycle() const { return cycle_; }
@@ -63,7 +63,7 @@ class Sum {
     std::vector<std::pair<Index, PairEdge>> edges;
     for (Index number = 0; number < cycle_->size(); ++number) {
       if (!cycle_->is_gap(number)) {
-        edges.emplace_back(number, cycle_->edge(number));
+        edges.emplace_back(number, operands_.named(cycle_->edge(number)));
       }
     }
     return edges;
@@ -129,7 +129,9 @@ void check(const Sum& sum) {
     const auto is_e = [&, &edge = e](const PairEdge& f) { return name(f) == name(edge); };
     ASSERT_TRUE(std::any_of(contributions.begin(), contributions.end(), is_e));
     if (const auto next = sum.cycle()->next(number)) {
-      ASSERT_EQ(sum.segment(e).to, sum.segment(sum.cycle()->edge(*next)).from);
+      const PairEdge f = sum.operands().named(sum.cycle()->edge(*next));
+      ASSERT_EQ(sum.segment(e).to, sum.segment(f).from);
+      ASSERT_EQ(sum.cycle()->goes_straight_on(*next), f.rank == e.rank);
     }
   }
   for (const auto& [p, e] : edges) {

@@ -130,19 +130,20 @@ TEST(Polygon, DirectionsAreSortedExactly) {
     const auto direction = [&](Index i) {
       const Point& p = polygon.vertices[i];
       const Point& q = polygon.vertices[polygon.next(i)];
-      const bool up = polygon.corners[i].upper;
+      const bool up = polygon.line_directions().edges[i].points_up;
       return up ? std::pair(rational(q.x) - rational(p.x), rational(q.y) - rational(p.y))
                 : std::pair(rational(p.x) - rational(q.x), rational(p.y) - rational(q.y));
     };
+    const auto& edges = polygon.line_directions().edges;
     for (Index i = 0; i < polygon.size(); ++i) {
       const auto d = direction(i);
       ASSERT_TRUE(d.second > 0 || (d.second == 0 && d.first > 0));
       for (Index j = 0; j < polygon.size(); ++j) {
         const auto e = direction(j);
         const int turn = Rational(d.first * e.second - d.second * e.first).sign();
-        const int order = polygon.corners[i].line < polygon.corners[j].line   ? 1
-                          : polygon.corners[i].line > polygon.corners[j].line ? -1
-                                                                              : 0;
+        const int order = edges[i].line < edges[j].line   ? 1
+                          : edges[i].line > edges[j].line ? -1
+                                                          : 0;
         ASSERT_EQ(turn, order);
       }
     }
@@ -163,8 +164,10 @@ TEST(Polygon, ReflectionIsThePolygonOfTheReflectedRing) {
       ASSERT_EQ(reflection.corners[j].vertex_number, expected.corners[i].vertex_number);
       ASSERT_EQ(reflection.corners[j].edge_number, expected.corners[i].edge_number);
       ASSERT_EQ(reflection.corners[j].convex, expected.corners[i].convex);
-      ASSERT_EQ(reflection.corners[j].upper, expected.corners[i].upper);
-      ASSERT_EQ(reflection.corners[j].line, expected.corners[i].line);
+      const auto& edge = reflection.line_directions().edges[j];
+      const auto& expected_edge = expected.line_directions().edges[i];
+      ASSERT_EQ(edge.line, expected_edge.line);
+      ASSERT_EQ(edge.points_up, expected_edge.points_up);
     }
   }
 }
