@@ -43,19 +43,41 @@ namespace {
   });
 }
 
-// Places a vertex that is a sum of doubles alone, both coordinates at once. False where one of
-// them is rounded and not below that size, or not finite.
-bool place_sum(const Point& p, const Point& q, const Point& sizes, Point& place) {
-  const PairOfDoubles a{p.x, p.y};
-  const PairOfDoubles b{q.x, q.y};
-  const PairOfDoubles sum = a + b;
-  const PairOfMasks is_rounded = rounding_error(a, b, sum) != PairOfDoubles{0, 0};
-  const auto size =
-      std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(magnitude(sum)) & is_rounded);
-  const PairOfDoubles without_sign_of_zero = sum + PairOfDoubles{0, 0};
-  place = {without_sign_of_zero[0], without_sign_of_zero[1]};
-  return bits_of(less(size, PairOfDoubles{sizes.x, sizes.y})) == 3;
-}
+// A vertex that is a sum of doubles alone, both coordinates at once.
+class PlacedSum {
+ public:
+  PlacedSum(const Point& p, const Point& q) {
+    const PairOfDoubles a{p.x, p.y};
+    const PairOfDoubles b{q.x, q.y};
+    sum_ = a + b;
+    error_ = rounding_error(a, b, sum_);
+  }
+
+  // Is each coordinate exact, or else rounded and below that size?
+  [[nodiscard]] bool is_below(const Point& sizes) const {
+    const PairOfMasks is_rounded = error_ != PairOfDoubles{0, 0};
+    const auto size =
+        std::bit_cast<PairOfDoubles>(std::bit_cast<PairOfMasks>(magnitude(sum_)) & is_rounded);
+    return bits_of(less(size, PairOfDoubles{sizes.x, sizes.y})) == 3;
+  }
+
+  // Not where a sum overflows, and maybe not next to the end of the range.
+  [[nodiscard]] bool is_certain() const { return !std::isnan(error_[0]) && !std::isnan(error_[1]); }
+
+  [[nodiscard]] Point place() const {
+    const PairOfDoubles without_sign_of_zero = sum_ + PairOfDoubles{0, 0};
+    return {without_sign_of_zero[0], without_sign_of_zero[1]};
+  }
+
+  [[nodiscard]] RoundedVertex rounded() const {
+    const Point p = place();
+    return {{p.x, error_[0] == 0}, {p.y, error_[1] == 0}};
+  }
+
+ private:
+  PairOfDoubles sum_;
+  PairOfDoubles error_;
+};
 
 constexpr double smallest = std::numeric_limits<double>::denorm_min();
 
@@ -184,10 +206,17 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
     const std::size_t last = std::min<std::size_t>(first + Task::portion, ring.size());
     for (std::size_t k = first; k < last; ++k) {
       const RingVertex& v = ring.vertices[k];
-      if (is_unshifted && v.is_sum() &&
-          place_sum(a.vertices[v.i()], b.vertices[v.j()], portion.sizes, placement.places[k])) {
-        ++portion.tally.filtered;
-        continue;
+      if (is_unshifted && v.is_sum()) {
+        const PlacedSum sum(a.vertices[v.i()], b.vertices[v.j()]);
+        const bool is_below = sum.is_below(portion.sizes);
+        if (is_below || sum.is_certain()) {
+          placement.places[k] = sum.place();
+          ++portion.tally.filtered;
+          if (!is_below) {
+            portion.add(sum.rounded());
+          }
+          continue;
+        }
       }
       const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
       check_finite(ring, k, vertex);
