@@ -20,10 +20,7 @@ Point operator-(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y};
 // The unit vector is off by 5 u, its square by 10 u, and with it the way of a point along and
 // across it and back again; products and sums add less than 14 u of the extents.
 Capsule capsule_along(const Point& direction, std::span<const Point> points) {
-  const double size = std::max(std::abs(direction.x), std::abs(direction.y));
-  const Point scaled{direction.x / size, direction.y / size};
-  const double length = std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y);
-  const Point unit{scaled.x / length, scaled.y / length};
+  const Point unit = unit_vector(direction);
   const Point& origin = points.front();
   Box box{0, 0, 0, 0};  // along the unit vector and across it, seen from the origin
   for (const Point& p : points.subspan(1)) {

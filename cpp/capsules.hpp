@@ -12,14 +12,25 @@
 
 namespace gcv {
 
-// The chains of edges below the children of one node: no point of a chain is further than its
-// radius from the segment from (x0, y0) to (x1, y1), but for roundings: 24 u times the extents of
-// the ring. The segment of an edge is the edge itself.
-struct CapsuleBlock {
+// Segments from (x0, y0) to (x1, y1).
+struct SegmentBlock {
   double x0[ChainTree::width];
   double y0[ChainTree::width];
   double x1[ChainTree::width];
   double y1[ChainTree::width];
+
+  void put(std::uint32_t lane, const Point& from, const Point& to) {
+    x0[lane] = from.x;
+    y0[lane] = from.y;
+    x1[lane] = to.x;
+    y1[lane] = to.y;
+  }
+};
+
+// The chains of edges below the children of one node: no point of a chain is further than its
+// radius from the segment from (x0, y0) to (x1, y1), but for roundings: 24 u times the extents of
+// the ring. The segment of an edge is the edge itself.
+struct CapsuleBlock : SegmentBlock {
   double radius[ChainTree::width];
 };
 

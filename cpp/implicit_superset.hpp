@@ -91,12 +91,22 @@ class ImplicitSuperset {
   //   look(block, other): at the block, the node of the other tree added to its nodes.
   // Calls visit(i, j) for pairs of edges that hold all superset edges in that place; given what the
   // search has met, which needs chains that are repeated, at least one of those that coincide.
+  // Returns how many looks it has taken; where they are more than `most`, it has given up.
   template <class Place, class Visit>
-  void search(Place& place, Visit visit, PairsMet* met = nullptr) const {
+  std::int64_t search(Place& place, Visit visit, PairsMet* met = nullptr,
+                      std::int64_t most = std::numeric_limits<std::int64_t>::max()) const {
     if (met != nullptr) {
       met->clear();
     }
-    Search<Place, Visit>{*this, place, met, visit}.descend(root(a_, place), root(b_, place));
+    Search<Place, Visit> search{*this, place, met, visit, most};
+    search.descend(root(a_, place), root(b_, place));
+    return most - search.looks_left;
+  }
+
+  // The offsets of a box in the direction (dx, dy).
+  static Offsets offsets(const Box& box, double dx, double dy) {
+    return {dx * (dx > 0 ? box.y0 : box.y1) - dy * (dy > 0 ? box.x1 : box.x0),
+            dx * (dx > 0 ? box.y1 : box.y0) - dy * (dy > 0 ? box.x0 : box.x1)};
   }
 
   // Calls visit(edge) for the superset edges of edges i and j.
@@ -133,6 +143,7 @@ class ImplicitSuperset {
     Place& place;
     PairsMet* met;
     Visit& visit;
+    std::int64_t looks_left;
 
     static double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
@@ -150,6 +161,9 @@ class ImplicitSuperset {
       const bool b_is_edge = superset.b_.boxes.is_edge(b.place);
       if (a_is_edge && b_is_edge) {
         visit(a.place.index, b.place.index);
+        return;
+      }
+      if (--looks_left < 0) {
         return;
       }
       const bool expand_a = b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box));

@@ -14,7 +14,7 @@ constexpr std::size_t many = 48;
 constexpr std::size_t too_many = 192;
 
 // Blocks that a search may look at before it gives up.
-constexpr int most_looks = 600;
+constexpr std::int64_t most_looks = 600;
 
 // How far the band goes to the left of the walk, beside how far it goes along.
 constexpr double depth = 0.25;
@@ -29,17 +29,11 @@ class LocalSuperset::Band {
       : box_(box), dx_(dx), dy_(dy), length_(length_bound(dx, dy)), leftmost_(leftmost) {}
 
   [[nodiscard]] ImplicitSuperset::Offsets offsets(const Box& box) const {
-    return {dx_ * (dx_ > 0 ? box.y0 : box.y1) - dy_ * (dy_ > 0 ? box.x1 : box.x0), 0};
+    return ImplicitSuperset::offsets(box, dx_, dy_);
   }
 
-  [[nodiscard]] bool is_exhausted() const { return looks_ > most_looks; }
-
   void look(const ImplicitSuperset::Block& block, const ImplicitSuperset::Node& other,
-            ImplicitSuperset::Look& look) {
-    if (++looks_ > most_looks) {
-      look.lanes = 0;
-      return;
-    }
+            ImplicitSuperset::Look& look) const {
     const CapsuleBlock& capsules = block.capsules;
     const DoubleLanes from =
         dx_ * DoubleLanes::load(capsules.y0) - dy_ * DoubleLanes::load(capsules.x0);
@@ -59,7 +53,6 @@ class LocalSuperset::Band {
   double dy_;
   double length_;
   double leftmost_;
-  int looks_ = 0;
 };
 
 LocalSuperset::LocalSuperset(const ImplicitSuperset& superset, double slack)
@@ -108,15 +101,15 @@ bool LocalSuperset::gather(const Point& from, const Point& to, PairsMet* met) {
               std::numeric_limits<double>::min();
   const Box wide = widened(window, slack_);
   Band band(wide, dx_, dy_, leftmost_ + offset_tolerance(dx_, dy_, slack_));
-  superset_.search(
+  const std::int64_t looks = superset_.search(
       band,
       [&](Index i, Index j) {
         if (edges_.size() <= too_many) {
           superset_.for_each_edge(i, j, [&](const PairEdge& edge) { add(edge, wide); });
         }
       },
-      met);
-  if (edges_.size() > too_many || band.is_exhausted()) {
+      met, most_looks);
+  if (edges_.size() > too_many || looks > most_looks) {
     clear();
     reach_ *= 0.25;
     return false;

@@ -38,6 +38,7 @@
 #include "local_superset.hpp"
 #include "parallel.hpp"
 #include "piece.hpp"
+#include "strip.hpp"
 #include "superset_tree.hpp"
 
 namespace gcv {
@@ -140,6 +141,7 @@ class Walker {
         met_ = std::make_unique<PairsMet>();
       }
       local_.emplace(*superset.implicit(), slack);
+      strip_.emplace(*superset.implicit(), slack);
     }
   }
 
@@ -365,37 +367,59 @@ class Walker {
 
   // The same where the superset is implicit. The whole of s is searched where few steps fit into a
   // window; else its first piece is about as long as the last of such searches went, and each other
-  // one four times as long as the one before.
+  // one four times as long as the one before. A piece that leaves the strip is cut there.
   void find_step_by_pieces(Point from) {
-    if (search_window(from, end_)) {
+    strip_->pass(from);
+    if (!strip_->is_gathered() && search_window(from, end_)) {
+      strip_->fund().add_window();
       return;
     }
     const Point origin = operands_.relative_start(line_.edge);
-    const ImplicitSuperset& implicit = *superset_.implicit();
     const double start = parameter_of(origin, from);
     const double size = std::max(std::abs(line_.at.dx), std::abs(line_.at.dy));
     double parameter = start;
     double stride = std::max(0x1p-4, stride_ / size);  // also where numbers have overflowed
     while (true) {
       const double limit = event_ ? clamp_to_unit(event_->place.parameter.hi) : 1;
-      const bool is_last = !(parameter + stride < limit);
-      parameter = is_last ? limit : parameter + stride;
-      const Point to = parameter < 1 ? relative_on(line_, parameter) : end_;
-      if (!search_window(from, to)) {
-        Piece piece(line_.at, origin, from, to, slack_);
-        search(parameter, piece, [&](const auto& visit) {
-          implicit.search(
-              piece, [&](Index i, Index j) { implicit.for_each_edge(i, j, visit); }, met());
-        });
+      double next = parameter + stride < limit ? parameter + stride : limit;
+      if (strip_->keep_up(from, met())) {
+        const double room = strip_->room(from, line_.at.dx, line_.at.dy);
+        if (room < next - parameter && room > (next - parameter) / 4) {
+          next = parameter + room;
+        }
       }
-      if (is_last || (event_ && event_->place.parameter.hi <= parameter)) {
+      const Point to = next < 1 ? relative_on(line_, next) : end_;
+      search_piece(next, Piece(line_.at, origin, from, to, slack_));
+      if (!(next < limit) || (event_ && event_->place.parameter.hi <= next)) {
         break;
       }
-      from = relative_on(line_, parameter);
+      from = relative_on(line_, next);
+      parameter = next;
       stride *= 4;
     }
     const double way = (event_ ? clamp_to_unit(event_->place.parameter.hi) : 1) - start;
     stride_ = std::min(2 * way * size, 4 * stride_);
+  }
+
+  // Considers the edges that have a point in the piece of s, which ends in the parameter: by the
+  // strip, where it holds the piece, by a window or in the whole superset.
+  void search_piece(double parameter, Piece piece) {
+    if (strip_->holds(piece.from()) && strip_->holds(piece.to())) {
+      search(parameter, piece, [&](const auto& visit) { strip_->search(piece, visit); });
+    } else if (!search_window(piece.from(), piece.to())) {
+      const ImplicitSuperset& implicit = *superset_.implicit();
+      search(parameter, piece, [&](const auto& visit) {
+        std::int64_t visits = 0;
+        const std::int64_t looks = implicit.search(
+            piece,
+            [&](Index i, Index j) {
+              ++visits;
+              implicit.for_each_edge(i, j, visit);
+            },
+            met());
+        strip_->fund().add_search(looks + visits);
+      });
+    }
   }
 
   [[nodiscard]] PairsMet* met() { return met_ && met_->is_of_use() ? met_.get() : nullptr; }
@@ -579,7 +603,8 @@ class Walker {
   const Superset& superset_;
   double slack_;
   std::unique_ptr<PairsMet> met_;                            // where chains are repeated
-  std::optional<LocalSuperset> local_;                       // where there is no tree
+  std::optional<LocalSuperset> local_;                       // where the superset is implicit
+  std::optional<Strip> strip_;                               // likewise
   double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
   Task& task_;
   Tally tally_;

@@ -38,14 +38,16 @@ class Piece {
     shorten(to);
   }
 
+  [[nodiscard]] const Point& from() const { return from_; }
+  [[nodiscard]] const Point& to() const { return to_; }
+
   void shorten(const Point& to) {
     to_ = to;
     box_ = widened(box_of(from_, to), slack_);
   }
 
   [[nodiscard]] ImplicitSuperset::Offsets offsets(const Box& box) const {
-    return {dx_ * (dx_ > 0 ? box.y0 : box.y1) - dy_ * (dy_ > 0 ? box.x1 : box.x0),
-            dx_ * (dx_ > 0 ? box.y1 : box.y0) - dy_ * (dy_ > 0 ? box.x0 : box.x1)};
+    return ImplicitSuperset::offsets(box, dx_, dy_);
   }
 
   // The lanes whose sums with the other node reach the box of the piece, and the line of s or
@@ -69,7 +71,29 @@ class Piece {
     look.lanes = ~(off_line | beyond | beside(capsules, other)).bits() & DoubleLanes::all;
   }
 
+  // The lanes whose segments, parts of superset edges, reach the line of s and have ends of the
+  // piece on both sides or close to their own.
+  [[nodiscard]] unsigned touching(const SegmentBlock& segments) const {
+    const DoubleLanes x0 = DoubleLanes::load(segments.x0);
+    const DoubleLanes y0 = DoubleLanes::load(segments.y0);
+    const DoubleLanes x1 = DoubleLanes::load(segments.x1);
+    const DoubleLanes y1 = DoubleLanes::load(segments.y1);
+    const DoubleLanes start = dx_ * y0 - dy_ * x0;
+    const DoubleLanes end = dx_ * y1 - dy_ * x1;
+    const DoubleMask off_line =
+        (larger(start, end) < offset_ - tolerance_) | (smaller(start, end) > offset_ + tolerance_);
+    const DoubleLanes dx = x1 - x0;
+    const DoubleLanes dy = y1 - y0;
+    const DoubleLanes from = dx * (from_.y - y0) - dy * (from_.x - x0);
+    const DoubleLanes to = dx * (to_.y - y0) - dy * (to_.x - x0);
+    const DoubleLanes reach = margin_ * (magnitude(dx) + magnitude(dy)) + smallest;
+    const DoubleMask beside = (larger(from, to) + reach < 0) | (smaller(from, to) > reach);
+    return ~(off_line | beside).bits() & DoubleLanes::all;
+  }
+
  private:
+  static constexpr double smallest = std::numeric_limits<double>::min();
+
   // Twice the slack; infinite where the offset of a point from a side can overflow.
   static double margin(double slack) {
     const double extents = 0x1p48 * slack;
@@ -101,7 +125,6 @@ class Piece {
                                   const DoubleLanes& reach) {
       return (highest + reach < smaller(first, second)) | (larger(first, second) < lowest - reach);
     };
-    constexpr double smallest = std::numeric_limits<double>::min();
     return beside_along(dx * from_y - dy * from_x, dx * to_y - dy * to_x,
                         radius * (magnitude(dx) + magnitude(dy)) + smallest) |
            beside_along(other_dy * from_x - other_dx * from_y, other_dy * to_x - other_dx * to_y,

@@ -116,6 +116,14 @@ inline Point direction(const Point& p, const Point& q) {
                                                       : Point{q.x / 4 - p.x / 4, q.y / 4 - p.y / 4};
 }
 
+// About the unit vector of that direction, by 5 u at most longer or shorter; of (0, 0) it is NaN.
+inline Point unit_vector(const Point& direction) {
+  const double size = std::max(std::abs(direction.x), std::abs(direction.y));
+  const Point scaled{direction.x / size, direction.y / size};
+  const double length = std::sqrt(scaled.x * scaled.x + scaled.y * scaled.y);
+  return {scaled.x / length, scaled.y / length};
+}
+
 // The next larger double, for x from 0 on.
 inline double next_up(double x) {
   return x < std::numeric_limits<double>::infinity()

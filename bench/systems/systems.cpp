@@ -38,6 +38,7 @@ std::vector<System> systems() {
       {"libgcv without cycle", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CONVOLUTION_CYCLE_LIBRARY)},
       {"libgcv without tree", Role::libgcv, 1e8, libgcv_cold(GCV_NO_SUPERSET_TREE_LIBRARY)},
       {"libgcv without windows", Role::libgcv, 1e8, libgcv_cold(GCV_NO_LOCAL_SUPERSET_LIBRARY)},
+      {"libgcv without strips", Role::libgcv, 1e8, libgcv_cold(GCV_NO_STRIPS_LIBRARY)},
       {"libgcv without repeats", Role::libgcv, 1e8, libgcv_cold(GCV_NO_REPEATED_CHAINS_LIBRARY)},
       {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Searches in the superset, in both its forms and by windows, against all its edges, one by one.
+// Searches in the superset, in both its forms, by windows and by strips, against all its edges, one
+// by one.
 // The polygons have small integer coordinates, times a power of two: there the positions of edges
 // are exact in doubles.
 #include <gtest/gtest.h>
@@ -17,6 +18,7 @@
 #include "local_superset.hpp"
 #include "piece.hpp"
 #include "predicates.hpp"
+#include "strip.hpp"
 #include "superset_tree.hpp"
 
 namespace gcv {
@@ -191,6 +193,109 @@ TEST(LocalSuperset, HoldsAllEdgesThatMeetAPiece) {
   };
   expect_all_found(0.3, prepare);
   EXPECT_GT(windows, pieces / 2);
+}
+
+// A walk that comes to the start of a piece by a bent way, swinging, which leads on along it.
+void walk_to(Strip& strip, const Segment& piece) {
+  const double dx = piece.to.x - piece.from.x;
+  const double dy = piece.to.y - piece.from.y;
+  for (int k = -400; k < 0; ++k) {
+    const double along = k / 100.0;
+    const double across = (k % 2 == 0 ? 0.1 : -0.1) + 0.01 * along * along;
+    strip.pass({piece.from.x + along * dx - across * dy, piece.from.y + along * dy + across * dx});
+  }
+}
+
+TEST(Strip, HoldsAllEdgesThatMeetAPiece) {
+  std::size_t strips = 0;
+  std::size_t shortened = 0;
+  std::size_t pieces = 0;
+  const auto prepare = [&](const Operands& operands, const std::vector<PairEdge>& /*edges*/) {
+    auto superset = std::make_shared<ImplicitSuperset>(operands);
+    auto strip = std::make_shared<Strip>(*superset, slack_of(operands));
+    return [&, superset, strip, slack = slack_of(operands)](const SumEdge& edge,
+                                                            const Segment& piece, auto visit) {
+      Piece place(edge, edge.from, piece.from, piece.to, slack);
+      ++pieces;
+      if (!strip->holds(piece.from)) {
+        walk_to(*strip, piece);
+      }
+      strip->fund().add_search(1000000);
+      if (!strip->keep_up(piece.from, nullptr)) {
+        superset->search(place, [&](Index i, Index j) { superset->for_each_edge(i, j, visit); });
+        return;
+      }
+      ++strips;
+      if (!strip->holds(piece.to)) {
+        ++shortened;
+        const double room = strip->room(piece.from, edge.dx, edge.dy);
+        EXPECT_LT(room, 1);
+        const Point border{piece.from.x + room * edge.dx, piece.from.y + room * edge.dy};
+        EXPECT_TRUE(strip->holds(border));
+        Piece rest(edge, edge.from, border, piece.to, slack);
+        place.shorten(border);
+        std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
+        const auto visit_once = [&](const PairEdge& e) {
+          if (found.insert(key(e)).second) {
+            visit(e);
+          }
+        };
+        strip->search(place, visit_once);
+        superset->search(rest,
+                         [&](Index i, Index j) { superset->for_each_edge(i, j, visit_once); });
+        return;
+      }
+      std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
+      strip->search(place, [&](const PairEdge& e) {
+        if (found.insert(key(e)).second) {
+          visit(e);
+        }
+      });
+    };
+  };
+  expect_all_found(0.3, prepare);
+  EXPECT_GT(strips, pieces / 2);
+  EXPECT_GT(shortened, strips / 10);
+}
+
+TEST(StripFund, SpendsAnEighthOfWhatSearchesCostAtMostWhereStripsSpareNothing) {
+  StripFund fund;
+  std::int64_t searched = 0;
+  std::int64_t spent = 0;
+  for (int k = 0; k < 100000; ++k) {
+    fund.add_search(100);
+    searched += 100;
+    if (const std::int64_t most = fund.most(); most > 0) {
+      fund.spend(most, k % 3 != 0);
+      spent += most;
+    }
+    EXPECT_LE(8 * spent, searched);
+  }
+  EXPECT_GT(64 * spent, searched);
+  EXPECT_LT(31 * spent, searched);
+}
+
+TEST(StripFund, GrantsOneAfterAnotherWhereTheySpareMoreThanTwiceTheirCost) {
+  StripFund fund;
+  while (fund.most() == 0) {
+    fund.add_search(100);
+  }
+  for (int strip = 0; strip < 100; ++strip) {
+    ASSERT_GE(fund.most(), 512);
+    fund.spend(512, true);
+    for (int k = 0; k < 13; ++k) {
+      fund.add_spared(10);
+    }
+  }
+}
+
+TEST(StripFund, GrantsNoneWhereWindowsSpareMostSearches) {
+  StripFund fund;
+  for (int k = 0; k < 100000; ++k) {
+    fund.add_search(100);
+    fund.add_window();
+    EXPECT_EQ(fund.most(), 0);
+  }
 }
 
 }  // namespace

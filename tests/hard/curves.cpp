@@ -129,6 +129,14 @@ Pairs zigzags() {
   return with_others(curves);
 }
 
+// Nearly all of the superset is a crowd of crossings within the sum.
+Pairs spiky_stars() {
+  Random random(9);
+  const Polygon star = spiky_star(random, 80);
+  const Polygon other = spiky_star(random, 70);
+  return {{star, other}, {star, scaled(other, 0.125)}, {star, star}, {star, negated(star)}};
+}
+
 // A coast around a point, by halving and displacing: detail at all scales.
 Polygon coast(Random& random, int level) {
   const int count = 1 << level;
@@ -161,11 +169,8 @@ Pairs fractal_coasts() {
 }  // namespace
 
 std::vector<Family> curves() {
-  return {{"spirals", spirals},
-          {"koch_curves", koch_curves},
-          {"hilbert_curves", hilbert_curves},
-          {"zigzags", zigzags},
-          {"fractal_coasts", fractal_coasts}};
+  return {{"spirals", spirals}, {"koch_curves", koch_curves}, {"hilbert_curves", hilbert_curves},
+          {"zigzags", zigzags}, {"spiky_stars", spiky_stars}, {"fractal_coasts", fractal_coasts}};
 }
 
 }  // namespace gcv::hard

@@ -171,6 +171,15 @@ Polygon random_star(Random& random, int quarter) {
   return polygon;
 }
 
+Polygon spiky_star(Random& random, int quarter) {
+  Polygon polygon = circle(quarter);
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const double radius = (k % 2 == 0 ? 50 : 10) + uniform(random, 0, 200) / 10.0;
+    polygon[k] = {polygon[k][0] * radius, polygon[k][1] * radius};
+  }
+  return polygon;
+}
+
 Polygon random_on_grid(Random& random, int vertices, int extent) {
   while (true) {
     std::set<Point> places;

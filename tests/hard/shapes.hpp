@@ -69,6 +69,8 @@ Polygon symmetric_star(int tip, int diagonal_tip, int valley);
 Polygon circle(int quarter);
 // Points of the circle pulled towards its centre by random amounts.
 Polygon random_star(Random& random, int quarter);
+// The same with every other point further out than all others: spikes, close together.
+Polygon spiky_star(Random& random, int quarter);
 // A random simple polygon on points of the grid [0, extent]^2.
 Polygon random_on_grid(Random& random, int vertices, int extent);
 

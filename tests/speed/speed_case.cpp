@@ -80,6 +80,13 @@ Pair stars() {
   return {star, random_star(random, 10)};
 }
 
+// Large enough for strips.
+Pair many_spikes() {
+  Random random(4);
+  const Polygon star = spiky_star(random, 200);
+  return {star, spiky_star(random, 200)};
+}
+
 Pair combs() {
   const Polygon polygon = comb(20, 1, 1, 7);
   return {polygon, polygon};
@@ -110,6 +117,7 @@ Pair key_in_slot() {
 const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"parts", parts},
                                                          {"stars", stars},
+                                                         {"many_spikes", many_spikes},
                                                          {"combs", combs},
                                                          {"coasts", coasts},
                                                          {"key_in_slot", key_in_slot},
