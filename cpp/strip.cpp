@@ -2,7 +2,7 @@
 //
 // Errors in the coordinates of the strip, with u times the extents of both polygons, uE, as the
 // unit. The sum of two capsules is off by 24 in both coordinates of the plane, so by 34 here; its
-// radius, since the unit vector is by 16 u too long at most, by 16; an end of a piece or of an edge
+// radius, since the unit vector is by 24 u too long at most, by 24; an end of a piece or of an edge
 // is off by 5, so by 7 here; products and sums add less than 30. All that is below 128, which is
 // `tolerance_`: the edges of a strip are those that come as near to it, and each of them is near
 // where it comes as near to a piece. Its smallest normal double covers underflow.

@@ -226,31 +226,24 @@ TEST(Strip, HoldsAllEdgesThatMeetAPiece) {
         return;
       }
       ++strips;
-      if (!strip->holds(piece.to)) {
+      std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
+      const auto visit_once = [&](const PairEdge& e) {
+        if (found.insert(key(e)).second) {
+          visit(e);
+        }
+      };
+      if (!strip->holds(piece.to)) {  // then up to its border, and beyond it in the superset
         ++shortened;
         const double room = strip->room(piece.from, edge.dx, edge.dy);
         EXPECT_LT(room, 1);
         const Point border{piece.from.x + room * edge.dx, piece.from.y + room * edge.dy};
         EXPECT_TRUE(strip->holds(border));
         Piece rest(edge, edge.from, border, piece.to, slack);
-        place.shorten(border);
-        std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
-        const auto visit_once = [&](const PairEdge& e) {
-          if (found.insert(key(e)).second) {
-            visit(e);
-          }
-        };
-        strip->search(place, visit_once);
         superset->search(rest,
                          [&](Index i, Index j) { superset->for_each_edge(i, j, visit_once); });
-        return;
+        place.shorten(border);
       }
-      std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
-      strip->search(place, [&](const PairEdge& e) {
-        if (found.insert(key(e)).second) {
-          visit(e);
-        }
-      });
+      strip->search(place, visit_once);
     };
   };
   expect_all_found(0.3, prepare);
