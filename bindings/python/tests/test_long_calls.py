@@ -17,8 +17,8 @@ from shapes import SQUARE, scaled, star
 
 import gcv
 
-LARGE = star(12000, 1)
-OTHER = star(12000, 2)
+LARGE = star(60000, 1)
+OTHER = star(60000, 2)
 MANY = [LARGE] * 20
 OTHERS = [OTHER] * 20
 CALLS: list[Callable[[], object]] = [
