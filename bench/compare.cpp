@@ -15,9 +15,10 @@
 #include <utility>
 #include <vector>
 
+#include "boundary.hpp"
 #include "measure.hpp"
-#include "polygon.hpp"
 #include "sets.hpp"
+#include "superset_sizes.hpp"
 #include "text.hpp"
 
 namespace gcv::bench {
@@ -56,11 +57,21 @@ Options parse(const std::vector<std::string>& arguments) {
 }
 
 std::string described(const Ring& ring) {
-  const Polygon polygon = make_polygon(ring, "polygon");
-  const auto reflex = std::count_if(polygon.corners.begin(), polygon.corners.end(),
-                                    [](const Polygon::Corner& corner) { return !corner.convex; });
+  const gcv::Boundary polygon = make_ring(ring, "polygon");
+  const auto reflex =
+      std::count_if(polygon.corners.begin(), polygon.corners.end(),
+                    [](const gcv::Boundary::Corner& corner) { return !corner.convex; });
   return "{\"vertices\": " + std::to_string(ring.size()) +
          ", \"reflex\": " + std::to_string(reflex) + "}";
+}
+
+std::string sizes_json(const Ring& a, const Ring& b) {
+  const SupersetSizes sizes = superset_sizes(a, b);
+  return "\"supersets\": {\"all_pairs\": " + std::to_string(sizes.all_pairs) +
+         ", \"full_convolution\": " + std::to_string(sizes.full_convolution) +
+         ", \"convolution_cycles\": " + std::to_string(sizes.convolution_cycles) +
+         ", \"reduced_convolution\": " + std::to_string(sizes.reduced_convolution) +
+         ", \"gcv\": " + std::to_string(sizes.gcv) + "}, ";
 }
 
 std::string milliseconds(double seconds) {
@@ -121,7 +132,7 @@ class Comparison {
 
   void run() {
     for (const Set& set : all_sets(options_.quick)) {
-      if (options_.sets.empty() || contains(options_.sets, set.name)) {
+      if (options_.sets.empty() ? !set.is_on_demand : contains(options_.sets, set.name)) {
         run(set);
       }
     }
@@ -173,9 +184,10 @@ class Comparison {
             (json.empty() ? "" : ", ") + quoted(systems_[k].name) + ": " + trial.results[k].json();
       }
     }
-    std::printf("{\"set\": %s, \"pair\": %s, \"a\": %s, \"b\": %s, \"results\": {%s}}\n",
+    const std::string sizes = set.is_on_demand ? sizes_json(trial.a, trial.b) : "";
+    std::printf("{\"set\": %s, \"pair\": %s, \"a\": %s, \"b\": %s, %s\"results\": {%s}}\n",
                 quoted(set.name).c_str(), quoted(trial.name).c_str(), described(trial.a).c_str(),
-                described(trial.b).c_str(), json.c_str());
+                described(trial.b).c_str(), sizes.c_str(), json.c_str());
     std::fflush(stdout);
   }
 

@@ -53,6 +53,7 @@ TITLES = {
     "convex": "Convex polygons",
     "tiny": "Tiny polygons",
     "hostile": "Hostile shapes",
+    "method": "The pairs of docs/METHOD.md",
 }
 SUMMARISED = {"nesting", "tiny"}  # many small pairs: one line for each system
 

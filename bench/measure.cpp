@@ -65,18 +65,21 @@ double area_of(const Ring& ring) {
   return std::abs(twice) / 2;
 }
 
-Report run(const System& system, const Ring& a, const Ring& b, bool is_timed, Ring& ring) {
+Report run(const System& system, const Ring& a, const Ring& b, const Demand& demand, Ring& ring) {
   const Job job = system.prepare(a, b);
   Report report{};
   const double before = processor_seconds();
   report.seconds = seconds_of(job, 1, ring);
   if (report.seconds >= enough_seconds) {
     report.seconds = processor_seconds() - before;
-  } else if (is_timed) {
+  } else if (demand.is_timed) {
+    double spent = report.seconds;
     // The first batch is too small: the first run has had to warm everything up.
-    for (int batch = 0; batch <= batches; ++batch) {
+    for (int batch = 0; batch <= batches && spent < demand.most_seconds; ++batch) {
       const int runs = static_cast<int>(std::ceil(batch_seconds / report.seconds));
-      report.seconds = std::min(report.seconds, seconds_of(job, runs, ring));
+      const double seconds = seconds_of(job, runs, ring);
+      spent += runs * seconds;
+      report.seconds = std::min(report.seconds, seconds);
     }
   }
   report.vertices = ring.size();
@@ -88,10 +91,11 @@ Report run(const System& system, const Ring& a, const Ring& b, bool is_timed, Ri
   return report;
 }
 
-Report run_caught(const System& system, const Ring& a, const Ring& b, bool is_timed, Ring& ring) {
+Report run_caught(const System& system, const Ring& a, const Ring& b, const Demand& demand,
+                  Ring& ring) {
   Report report{};
   try {
-    report = run(system, a, b, is_timed, ring);
+    report = run(system, a, b, demand, ring);
   } catch (const std::exception& exception) {
     ring.clear();
     std::snprintf(report.failure.data(), report.failure.size(), "error: %s", exception.what());
@@ -135,7 +139,7 @@ bool read_all(int in, void* data, std::size_t bytes) {
   const rlimit time{seconds, seconds + 1};
   setrlimit(RLIMIT_CPU, &time);
   Ring ring;
-  const Report report = run_caught(system, a, b, demand.is_timed, ring);
+  const Report report = run_caught(system, a, b, demand, ring);
   const bool is_written =
       write_all(out, &report, sizeof report) &&
       (!demand.wants_ring || write_all(out, ring.data(), ring.size() * sizeof(Point)));

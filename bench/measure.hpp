@@ -4,6 +4,8 @@
 // from the same state.
 #pragma once
 
+#include <limits>
+
 #include "systems/system.hpp"
 
 namespace gcv::bench {
@@ -12,6 +14,8 @@ struct Demand {
   double limit;             // seconds after which the process is ended
   bool is_timed = true;     // or else run just once
   bool wants_ring = false;  // or else its measures alone
+  // After so many seconds in all there is no further batch.
+  double most_seconds = std::numeric_limits<double>::infinity();
 };
 
 struct Measurement {

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <sstream>
 
 #include "data.hpp"
 #include "hard/shapes.hpp"
@@ -18,55 +16,9 @@ namespace {
 
 using test::random_histogram;
 using test::random_spiky_star;
-using test::read_polygon;
 using test::uniform;
 
 std::string size_name(int n) { return std::to_string(n) + " x " + std::to_string(n); }
-
-// The blocks of pairs.txt; comments divide them.
-std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory) {
-  std::vector<Set> blocks{{.name = "paper"}, {.name = "real"}, {.name = "growing", .grows = true}};
-  std::ifstream stream(directory / "pairs.txt");
-  std::size_t block = 0;
-  for (std::string line; std::getline(stream, line);) {
-    std::istringstream words(line);
-    std::string name;
-    std::string a;
-    std::string b;
-    if (line.rfind('#', 0) == 0) {
-      block += blocks[block].pairs.empty() ? 0 : 1;
-    } else if (words >> name >> a >> b) {
-      blocks.at(block).pairs.push_back(
-          {name, [directory, a, b] {
-             return Rings{read_polygon(directory / a), read_polygon(directory / b)};
-           }});
-    }
-  }
-  return blocks;
-}
-
-Set nesting(const std::filesystem::path& directory, int count) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(directory / "nesting")) {
-    if (entry.path().extension() == ".wkt") {
-      files.push_back(entry.path());
-    }
-  }
-  std::sort(files.begin(), files.end());
-  Set set{.name = "nesting", .for_all_peers = false};
-  Random random(1);
-  const auto draw = [&] {
-    return files[static_cast<std::size_t>(uniform(random, 0, static_cast<int>(files.size()) - 1))];
-  };
-  for (int k = 0; k < count; ++k) {
-    const auto a = draw();
-    const auto b = draw();
-    set.pairs.push_back({a.stem().string() + " + " + b.stem().string(), [a, b] {
-                           return Rings{read_polygon(a), read_polygon(b)};
-                         }});
-  }
-  return set;
-}
 
 // Two polygons of each size, from one generator.
 template <class Make>
@@ -159,6 +111,37 @@ Set hostile() {
           .most_vertex_pairs_for_peers = 5e5};
 }
 
+// The paper's pairs, and others of each kind: what the table of docs/METHOD.md is about.
+Set method(std::vector<Pair> pairs) {
+  const auto add = [&](const char* name, const std::function<Rings()>& make) {
+    pairs.push_back({name, make});
+  };
+  add("coasts 100 x 100", [] { return coasts(100, 100); });
+  add("coasts 400 x 200", [] { return coasts(400, 200); });
+  add("spiky stars 30 x 30", [] { return spiky_stars(30); });
+  add("spiky stars 100 x 100", [] { return spiky_stars(100); });
+  add("histograms 100 x 100", [] {
+    Random random(100);
+    Ring a = random_histogram(random, 50, 20);
+    return Rings{std::move(a), random_histogram(random, 50, 20)};
+  });
+  add("comb of 25 teeth, with itself", [] { return twice(comb(25)); });
+  add("comb of 25 teeth, turned", [] { return Rings{comb(25), quarter_turned(comb(25))}; });
+  add("Koch curves 48 x 48", [] { return twice(koch(2)); });
+  add("coast 100 x convex 12", [] {
+    Random random(12);
+    Ring a = coast(random, 100);
+    return Rings{std::move(a), scaled(random_convex(random, 12), 0.1)};
+  });
+  add("convex 100 x 100", [] {
+    Random random(100);
+    Ring a = random_convex(random, 100);
+    return Rings{std::move(a), random_convex(random, 100)};
+  });
+  add("regular 300-gons", [] { return Rings{regular(300, 100), regular(300, 70)}; });
+  return {.name = "method", .pairs = std::move(pairs), .is_on_demand = true};
+}
+
 std::vector<int> up_to(int most, std::vector<int> sizes) {
   std::erase_if(sizes, [&](int n) { return n > most; });
   return sizes;
@@ -196,8 +179,10 @@ Pair far_away(const Pair& pair) {
 
 std::vector<Set> all_sets(bool quick) {
   std::vector<Set> sets;
+  std::vector<Pair> of_the_paper;
   if (const auto directory = test::data_directory()) {
     sets = blocks_of_pairs(*directory);
+    of_the_paper = sets.front().pairs;
     sets.push_back(nesting(*directory, quick ? 40 : 200));
   } else {
     std::fputs("no data: neither GCV_DATA_DIR nor ../shared/data; going on without\n", stderr);
@@ -212,6 +197,7 @@ std::vector<Set> all_sets(bool quick) {
   sets.push_back(of_sizes("convex", {8, 100, 1000, 10000}, random_convex));
   sets.push_back(tiny_pairs(quick ? 5 : 20));
   sets.push_back(hostile());
+  sets.push_back(method(std::move(of_the_paper)));
   return sets;
 }
 
@@ -247,28 +233,6 @@ std::vector<Pair> rotated_slots(int count) {
                      }});
   }
   return pairs;
-}
-
-PointVector tidy(const PointVector& ring) {
-  Ring result;
-  for (const Point& p : ring) {
-    if (result.empty() || !(p == result.back())) {
-      result.push_back(p);
-    }
-  }
-  while (result.size() > 1 && result.back() == result.front()) {
-    result.pop_back();
-  }
-  double twice_area = 0;
-  for (std::size_t k = 1; k + 1 < result.size(); ++k) {
-    const Point& o = result[0];
-    twice_area += (result[k].x - o.x) * (result[k + 1].y - o.y) -
-                  (result[k].y - o.y) * (result[k + 1].x - o.x);
-  }
-  if (twice_area < 0) {
-    std::reverse(result.begin(), result.end());
-  }
-  return result;
 }
 
 }  // namespace gcv::bench

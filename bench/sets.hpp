@@ -3,6 +3,7 @@
 // The pairs of polygons that are measured, in sets.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <limits>
 #include <string>
@@ -26,10 +27,16 @@ struct Set {
   bool for_all_peers = true;  // or else for the principal ones alone
   bool grows = false;         // in size: who is cut off on a pair would be on later ones
   double most_vertex_pairs_for_peers = std::numeric_limits<double>::infinity();
+  bool is_on_demand = false;  // measured only where it is named, with the sizes of supersets
 };
 
 // All sets; those of data only where the data is. A quick run has fewer and smaller pairs.
 std::vector<Set> all_sets(bool quick);
+
+// The blocks of pairs.txt in the folder of the data; comments divide them.
+std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory);
+// Pairs of parts of nesting instances, drawn at random.
+Set nesting(const std::filesystem::path& directory, int count);
 
 // The pairs of the report on accuracy: the real ones only where the data is.
 std::vector<Pair> accuracy_pairs(bool quick);

@@ -1,14 +1,12 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# For bench/run and bench/accuracy, in the folder of the project: what they need on a fresh
-# machine, and the build of all benchmarks in build/bench.
+# For the commands of bench, in the folder of the project: what they need on a fresh machine,
+# and their builds.
 
-# install_packages PACKAGE...: these, beside what the build takes, where they are missing.
-install_packages() {
-  local packages=(cmake g++ ninja-build pkg-config libgmp-dev libmpfr-dev libboost-dev
-                  libcgal-dev libbenchmark-dev libpolyclipping-dev libsfcgal-dev python3 "$@")
+# install_missing PACKAGE...: those that are not there.
+install_missing() {
   local missing=() package
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     dpkg-query -W -f='${Status}' "$package" 2> /dev/null | grep -q '^install ok installed' ||
       missing+=("$package")
   done
@@ -22,9 +20,25 @@ install_packages() {
   DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${missing[@]}"
 }
 
-build_benchmarks() {
-  mkdir -p build
-  { cmake -S . -B build/bench -G Ninja -DCMAKE_BUILD_TYPE=Release -DGCV_WERROR=ON \
-      -DGCV_BUILD_TESTS=OFF -DGCV_BUILD_BENCH=ON && cmake --build build/bench; } \
-    > build/bench.log 2>&1 || { cat build/bench.log >&2; exit 1; }
+# install_packages PACKAGE...: these, beside what the build of all benchmarks takes.
+install_packages() {
+  install_missing cmake g++ ninja-build pkg-config libgmp-dev libmpfr-dev libboost-dev \
+    libcgal-dev libbenchmark-dev libpolyclipping-dev libsfcgal-dev python3 "$@"
 }
+
+# build_in FOLDER CMAKE-ARGUMENT... -- TARGET...
+build_in() {
+  local folder=$1 arguments=()
+  shift
+  while [ "$1" != -- ]; do
+    arguments+=("$1")
+    shift
+  done
+  shift
+  mkdir -p build
+  { cmake -S . -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=Release -DGCV_WERROR=ON \
+      -DGCV_BUILD_TESTS=OFF "${arguments[@]}" && cmake --build "$folder" --target "$@"; } \
+    > "$folder.log" 2>&1 || { cat "$folder.log" >&2; exit 1; }
+}
+
+build_benchmarks() { build_in build/bench -DGCV_BUILD_BENCH=ON -- all; }

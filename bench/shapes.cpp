@@ -68,17 +68,19 @@ Ring tiny(Random& random) {
   return ring;
 }
 
-Ring comb(int teeth) {
-  Ring ring{{0, -1}, {2.0 * teeth - 1, -1}};
+Ring comb(int teeth, double width, double height) {
+  Ring ring{{0, -1}, {(2.0 * teeth - 1) * width, -1}};
   for (int k = teeth - 1; k >= 0; --k) {
-    const double x = 2.0 * k;
-    ring.insert(ring.end(), {{x + 1, 7}, {x, 7}});
+    const double x = 2.0 * k * width;
+    ring.insert(ring.end(), {{x + width, height}, {x, height}});
     if (k > 0) {
-      ring.insert(ring.end(), {{x, 0}, {x - 1, 0}});
+      ring.insert(ring.end(), {{x, 0}, {x - width, 0}});
     }
   }
   return ring;
 }
+
+Ring comb(int teeth) { return comb(teeth, 1, 7); }
 
 Ring uneven_comb(Random& random, int teeth) {
   std::vector<double> sides{0};  // of teeth, from left to right: both of the first one, ...
@@ -155,6 +157,114 @@ Ring needles(int spikes) {
     ring.push_back({100 + k / 7.0, 0.1 * k + 0.05});
   }
   ring.insert(ring.end(), {{1, 0.1 * spikes}, {0, 0.1 * spikes}, {0, 0}});
+  return ring;
+}
+
+Ring hairbrush(Random& random, int bristles) {
+  Ring ring{{0, -2}, {static_cast<double>(bristles), -2}};
+  for (int k = bristles - 1; k >= 0; --k) {
+    const double x = k + 0.5;
+    const double tip = x + test::uniform(random, -400, 400) / 1000.0;
+    const double length = test::uniform(random, 5000, 50000) / 1000.0;
+    ring.insert(ring.end(), {{x + 0.05, 0}, {tip, length}, {x - 0.05, 0}});
+  }
+  return ring;
+}
+
+namespace {
+
+// The outline of a branch, from the right to the left of its root.
+void grow(Random& random, Ring& ring, const Point& root, double angle, double length, int levels) {
+  const double turned = angle + test::uniform(random, -50, 50) / 1000.0;
+  const Point ahead = at_angle(turned, 1);
+  const Point tip{root.x + length * ahead.x, root.y + length * ahead.y};
+  if (levels == 0) {
+    ring.push_back(tip);
+    return;
+  }
+  const double half = 0.02 * length;
+  ring.push_back({tip.x + half * ahead.y, tip.y - half * ahead.x});
+  grow(random, ring, tip, turned - 0.9, 0.55 * length, levels - 1);
+  ring.push_back({tip.x + half * ahead.x, tip.y + half * ahead.y});
+  grow(random, ring, tip, turned + 0.9, 0.55 * length, levels - 1);
+  ring.push_back({tip.x - half * ahead.y, tip.y + half * ahead.x});
+}
+
+}  // namespace
+
+Ring forked_tree(Random& random, int levels) {
+  Ring ring{{-2, 0}, {2, 0}};
+  grow(random, ring, {0, 0}, std::numbers::pi / 2, 100, levels);
+  return ring;
+}
+
+Ring sunburst(int arms, int pieces) {
+  Ring ring;
+  for (int k = 0; k < arms; ++k) {
+    for (int j = -pieces; j <= pieces; ++j) {
+      const double out = 1 - std::abs(j) / static_cast<double>(pieces);  // 1 at the tip
+      const double side = (j < 0 ? -0.25 : 0.25) * (1 - out);
+      ring.push_back(at_angle(2 * std::numbers::pi * (k + side) / arms + 1.5 * out, 10 + 90 * out));
+    }
+  }
+  return ring;
+}
+
+Ring wire(Random& random, int steps) {
+  Ring ring;
+  Ring upper;
+  double y = 0;
+  for (int k = 0; k <= steps; ++k) {
+    ring.push_back({static_cast<double>(k), y});
+    upper.push_back({static_cast<double>(k), y + 0.125});
+    y += test::uniform(random, -5000, 5000) / 1000.0;
+  }
+  ring.insert(ring.end(), upper.rbegin(), upper.rend());
+  return ring;
+}
+
+Ring gear(int teeth) {
+  Ring ring;
+  for (int k = 0; k < teeth; ++k) {
+    for (const auto& [part, radius] : {Point{0, 90}, {0.15, 100}, {0.4, 100}, {0.55, 90}}) {
+      ring.push_back(at_angle(2 * std::numbers::pi * (k + part) / teeth, radius));
+    }
+  }
+  return ring;
+}
+
+Ring saw(int teeth) {
+  Ring ring{{0, -5}, {static_cast<double>(teeth), -5}};
+  for (int k = teeth; k > 0; --k) {
+    ring.insert(ring.end(), {{static_cast<double>(k), 0}, {k - 1.0, 3}});
+  }
+  return ring;
+}
+
+Ring plate(int holes_in_a_row) {
+  constexpr double half_slit = 0x1p-7;
+  const double size = 2.0 * holes_in_a_row + 1;
+  Ring ring{{0, 0}, {size, 0}};
+  for (int row = 0; row < holes_in_a_row; ++row) {
+    const double middle = 2 * row + 1.5;
+    Ring lower{{size, middle - half_slit}};
+    for (int k = holes_in_a_row - 1; k >= 0; --k) {
+      const double left = 2 * k + 1;
+      lower.insert(
+          lower.end(),
+          {{left + 1, middle - half_slit}, {left + 1, middle - 0.5}, {left, middle - 0.5}});
+      if (k > 0) {
+        lower.push_back({left, middle - half_slit});
+      }
+    }
+    Ring upper(lower.rbegin(), lower.rend());
+    for (Point& p : upper) {
+      p.y = 2 * middle - p.y;
+    }
+    ring.insert(ring.end(), lower.begin(), lower.end());
+    ring.insert(ring.end(), upper.begin(), upper.end());
+  }
+  ring.insert(ring.end(), {{size, size}, {0, size}});
   return ring;
 }
 

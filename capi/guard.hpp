@@ -1,28 +1,24 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What stands between the C functions and the core: every entry point runs inside
-// `guarded`, which lets no exception through and keeps the caller's floating-point
-// environment out of the computation, and the computation out of it; those that copy
-// what is there, inside `caught`, which lets no exception through.
+// The guard between the C functions and the core. Every function that can fail runs inside
+// `guarded`. No exception gets out. The work is done in the default floating-point environment, and
+// the caller's environment is restored.
 #pragma once
 
-#include <algorithm>
 #include <cfenv>
-#include <cmath>
-#include <cstddef>
 
 #include "error.hpp"
 #include "gcv/gcv.h"
 
 namespace gcv::capi {
 
-// The calling thread's last message; recording one takes no memory.
+// The last message of the calling thread. record() replaces it and needs no memory.
 const char* last_message() noexcept;
 gcv_status record(const Error& error) noexcept;
 
-// Rounding to nearest, subnormal numbers, and no trapping for as long as it lives: the
-// exact predicates rest on that, and callers differ (code built with -ffast-math switches
-// subnormal numbers off for the whole thread). The caller's exception flags stay as they are.
+// While an object of this class lives: rounding to nearest, subnormal numbers, no trapping. The
+// exact predicates need these. Callers may have others: code built with -ffast-math switches
+// subnormal numbers off for the whole thread. The caller's exception flags do not change.
 class DefaultFloatingPoint {
  public:
   DefaultFloatingPoint() noexcept : control_(control()) {
@@ -44,8 +40,8 @@ class DefaultFloatingPoint {
 
  private:
 #ifdef __x86_64__
-  // The register of the unit that all is computed in. To save and set the other one's, whose
-  // rounding mode the C library asks for, takes longer than a small sum.
+  // The control register of SSE, in which everything is computed. The C library would also save and
+  // set that of the x87 unit. That takes longer than a small sum.
   static unsigned control() { return __builtin_ia32_stmxcsr(); }
   static void set_control(unsigned control) { __builtin_ia32_ldmxcsr(control); }
   static bool is_default(unsigned control) {
@@ -64,12 +60,14 @@ class DefaultFloatingPoint {
   std::fenv_t callers_;
 };
 
-// The exception that is being handled, as an error.
-Error current_error() noexcept;
+// For functions that only copy. To enter the default environment takes several times as long as
+// they do.
+struct CallersFloatingPoint {};
 
-// Of a body that copies and computes nothing.
-template <class Body>
-gcv_status caught(Body body) noexcept {
+// Runs the body of a C function and returns its status.
+template <class Environment = DefaultFloatingPoint, class Body>
+gcv_status guarded(Body body) noexcept {
+  [[maybe_unused]] const Environment environment{};
   try {
     body();
     return GCV_OK;
@@ -78,37 +76,10 @@ gcv_status caught(Body body) noexcept {
   }
 }
 
-template <class Body>
-gcv_status guarded(Body body) noexcept {
-  const DefaultFloatingPoint environment;
-  return caught(body);
-}
-
 inline void require(const void* pointer, const char* name) {
   if (pointer == nullptr) {
     throw Error(Status::null_argument, "%s is NULL", name);
   }
-}
-
-// The buffer contract of gcv.h: fills `out`, the parameter called `name`, with count
-// elements by calling write(out) once it is known that they fit.
-template <class Element, class Write>
-void fill(std::size_t count, const char* elements, const char* name, Element* out,
-          std::size_t capacity, std::size_t* required, Write write) {
-  require(required, "required");
-  if (out == nullptr && capacity != 0) {
-    throw Error(Status::null_argument, "%s is NULL, but its capacity is %zu %s", name, capacity,
-                elements);
-  }
-  *required = count;
-  if (out == nullptr) {
-    return;
-  }
-  if (capacity < count) {
-    throw Error(Status::buffer_too_small, "%s has room for %zu %s, %zu are required", name,
-                capacity, elements, count);
-  }
-  write(out);
 }
 
 }  // namespace gcv::capi

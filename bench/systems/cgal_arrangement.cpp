@@ -72,8 +72,8 @@ std::vector<SupersetEdge> enumerate_reduced_convolution(const Operands& operands
 using Enumerate = std::vector<SupersetEdge> (*)(const Operands&);
 
 std::vector<SupersetEdge> superset_of(const Ring& a, const Ring& b, Enumerate enumerate) {
-  const Polygon p = make_polygon(a, "a");
-  const Polygon q = make_polygon(b, "b");
+  const gcv::Boundary p = make_ring(a, "a");
+  const gcv::Boundary q = make_ring(b, "b");
   Tally tally;
   return enumerate({p, q, merge_directions(p, q, tally)});
 }

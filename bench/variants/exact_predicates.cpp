@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// cpp/predicates.hpp without its filters: every predicate takes the exact tier, integers
+// cpp/exact/predicates.hpp without its filters: every predicate takes the exact tier, integers
 // of the width that the operands need. crossing_parameter, which the search shortens
 // edges by, encloses the quotient of two exact numbers.
 #include "exact_predicates.hpp"
@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "exact_numbers.hpp"
+#include "predicates.hpp"
 
 namespace gcv {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// cpp/predicates.hpp in plain doubles: no error bounds and no exact tier. What a walk
+// cpp/exact/predicates.hpp in plain doubles: no error bounds and no exact tier. What a walk
 // would cost, and where it would end, if nobody cared about rounding.
 #include "predicates.hpp"
 

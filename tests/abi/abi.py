@@ -40,7 +40,9 @@ Edit = tuple[str, str, str]
 Look = Callable[[pathlib.Path, pathlib.Path], str]
 """What is seen of an interface, from its sources and with a folder for scratch."""
 
-HEADER, SOURCE, MAP = "include/gcv/gcv.h", "gcv.cpp", "gcv.map"
+LAYOUT = "layout.cpp"
+"""Does not compile where a struct has changed, and is no part of the interface."""
+HEADER, HANDLES, SOURCE, MAP = "include/gcv/gcv.h", "handles.hpp", "version.cpp", "gcv.map"
 
 NEW_FUNCTION: list[Edit] = [
     (HEADER, r"(#ifdef __cplusplus\n\})", r"GCV_API int32_t gcv_new(void);\n\1"),
@@ -54,7 +56,7 @@ COMPATIBLE: dict[str, list[Edit]] = {
     "a new function": NEW_FUNCTION,
     "gcv_options grows at the end": [(HEADER, r"\} gcv_options;", r"double later; \g<0>")],
     "gcv_stats grows at the end": [(HEADER, r"\} gcv_stats;", r"uint64_t later; \g<0>")],
-    "a handle grows": [(SOURCE, r"(struct gcv_polygon \{[^}]*)\}", r"\1 int later = 0; }")],
+    "a handle grows": [(HANDLES, r"(struct gcv_polygon \{[^}]*)\}", r"\1 int later = 0; }")],
 }
 INCOMPATIBLE: dict[str, list[Edit]] = {
     "a lost function": LOST_FUNCTION,
@@ -76,8 +78,8 @@ def interface(capi: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
             COMPILER,
             *OPTIONS,
             f"-I{capi / 'include'}",
-            f"-I{ROOT / 'cpp'}",
-            *capi.glob("*.cpp"),
+            *(f"-I{room}" for room in (ROOT / "cpp").iterdir() if room.is_dir()),
+            *(source for source in capi.glob("*.cpp") if source.name != LAYOUT),
             f"-Wl,--version-script={capi / MAP}",
             "-o",
             library,
@@ -88,14 +90,14 @@ def interface(capi: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
 
 
 def describe(capi: pathlib.Path, folder: pathlib.Path) -> str:
-    """What abidw says of the interface, without the places that it was found in."""
+    """What abidw says of the interface, with the names of its sources but not their folders."""
     described = subprocess.run(
         [*ABIDW, "--headers-dir", capi / "include", interface(capi, folder)],
         check=True,
         capture_output=True,
         text=True,
     ).stdout
-    return re.sub(r" path='[^']*'", "", described)
+    return re.sub(r" path='[^']*/", " path='", described)
 
 
 def without_growth(description: str, baseline: str) -> str:

@@ -12,6 +12,12 @@ static gcv_status polygon_vertices(const void *handle, void *out, size_t capacit
                                    size_t *required) {
   return gcv_polygon_vertices(handle, out, capacity, required);
 }
+static gcv_status outer_ring(const void *handle, void *out, size_t capacity, size_t *required) {
+  return gcv_polygon_ring(handle, 0, out, capacity, required);
+}
+static gcv_status hole(const void *handle, void *out, size_t capacity, size_t *required) {
+  return gcv_polygon_ring(handle, 1, out, capacity, required);
+}
 static gcv_status face_vertices(const void *handle, void *out, size_t capacity, size_t *required) {
   return gcv_outer_face_vertices(handle, out, capacity, required);
 }
@@ -87,13 +93,18 @@ static void follows_contract(const char *name, fill *call, const void *handle, s
 }
 
 int main(void) {
-  gcv_polygon *dart = POLYGON(0, 0, 4, 4, 2, 3, 0, 4);
+  const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4, 1, 2, 2, 2.5, 1, 3};
+  const size_t sizes[] = {4, 3};
+  gcv_polygon *dart = POLYGON(0, 0, 4, 4, 2, 3, 0, 4), *holed = NULL;
   gcv_polygon *triangle = POLYGON(0, 0, 3, 3, 0, 2);
   gcv_outer_face *face = sum_of(dart, triangle);
   gcv_superset *superset = NULL;
   CHECK_OK(gcv_superset_create(dart, triangle, &superset));
+  CHECK_OK(gcv_polygon_create_rings(xy, sizes, 2, 0, &holed));
 
   follows_contract("polygon_vertices", polygon_vertices, dart, 4, 2 * sizeof(double));
+  follows_contract("outer_ring", outer_ring, holed, 4, 2 * sizeof(double));
+  follows_contract("hole", hole, holed, 3, 2 * sizeof(double));
   follows_contract("face_vertices", face_vertices, face, 5, 2 * sizeof(double));
   follows_contract("exact_vertex", exact_vertex, face, sizeof "23/5 31/5", 1);
   follows_contract("edge_sources", edge_sources, face, 5, sizeof(gcv_edge_source));
@@ -103,6 +114,7 @@ int main(void) {
   gcv_superset_destroy(superset);
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(triangle);
+  gcv_polygon_destroy(holed);
   gcv_polygon_destroy(dart);
   return check_failures != 0;
 }

@@ -24,6 +24,7 @@ static void put_everything(struct record *record) {
     gcv_polygon_destroy(a);
     gcv_polygon_destroy(b);
   }
+  put_others(record);
   put_refusals(record);
 }
 

@@ -32,14 +32,42 @@ void free(void *block) {
   __libc_free(block);
 }
 
-static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4}, point[2] = {0.5, 0.25};
-static gcv_polygon *polygon, *fraction, *new_polygon;
+static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4, 1, 2, 2, 2.5, 1, 3}, point[2] = {0.5, 0.25};
+static const size_t sizes[] = {4, 3};
+static gcv_polygon *polygon, *holed, *fraction, *new_polygon;
 static gcv_outer_face *face, *new_face;
 static gcv_superset *new_superset;
 static char text[256];
 static size_t required;
 
 static gcv_status create(void) { return gcv_polygon_create(xy, 4, 0, &new_polygon); }
+static gcv_status create_rings(void) {
+  return gcv_polygon_create_rings(xy, sizes, 2, 0, &new_polygon);
+}
+static gcv_status disc(void) {
+  return gcv_polygon_create_disc(point, 2, 0.01, GCV_ROUND_OUTWARD, &new_polygon);
+}
+static gcv_status affine(void) {
+  static const double turn[6] = {0.6, -0.8, 1, 0.8, 0.6, 2};
+  return gcv_polygon_affine(holed, turn, &new_polygon);
+}
+static gcv_status simplified_holes(void) {
+  double bound;
+  return gcv_polygon_simplified(holed, 0.1, GCV_ROUND_OUTWARD, &new_polygon, &bound);
+}
+/* Polygons that fail alone do so by their statuses. */
+static gcv_status create_many(void) {
+  gcv_polygon *polygons[2] = {NULL, NULL};
+  gcv_status statuses[2] = {GCV_OK, GCV_OK};
+  gcv_status status = gcv_polygon_create_many(xy, sizes, 2, 0, polygons, statuses);
+  int k;
+  for (k = 0; k < 2; ++k) {
+    CHECK((polygons[k] != NULL) == (status == GCV_OK && statuses[k] == GCV_OK));
+    gcv_polygon_destroy(polygons[k]);
+    if (status == GCV_OK) status = statuses[k];
+  }
+  return status;
+}
 static gcv_status create_wkt(void) {
   return gcv_polygon_create_wkt("POLYGON ((0 0, 4 0, 0 3), (1 1, 2 1, 1 2))", 42, &new_polygon);
 }
@@ -137,7 +165,9 @@ static void frugal_functions(void) {
   allowed = 0;
   CHECK_OK(gcv_polygon_vertex_count(polygon, &count));
   CHECK_OK(gcv_polygon_vertices(polygon, vertices, 16, &count));
-  CHECK_OK(gcv_polygon_area(polygon, &number));
+  CHECK_OK(gcv_polygon_ring_count(holed, &count));
+  CHECK_OK(gcv_polygon_ring(holed, 1, vertices, 16, &count));
+  CHECK_OK(gcv_polygon_area(holed, &number));
   CHECK_OK(gcv_polygon_bounds(polygon, bounds));
   CHECK_OK(gcv_outer_face_vertex_count(face, &count));
   CHECK_OK(gcv_outer_face_vertices(face, vertices, 16, &count));
@@ -153,11 +183,17 @@ static void frugal_functions(void) {
 
 int main(void) {
   polygon = polygon_of(xy, 4);
+  CHECK_OK(gcv_polygon_create_rings(xy, sizes, 2, 0, &holed));
   fraction = POLYGON(0.1, 0, 1, 0.2, 0.3, 1);
   face = sum_of(polygon, polygon);
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
+  starve_in_child("gcv_polygon_create_rings", create_rings);
+  starve_in_child("gcv_polygon_create_many", create_many);
+  starve_in_child("gcv_polygon_create_disc", disc);
+  starve_in_child("gcv_polygon_affine", affine);
   starve_in_child("gcv_polygon_simplified", simplified);
+  starve_in_child("gcv_polygon_simplified, with a hole", simplified_holes);
   starve_in_child("gcv_minkowski_sum", sum);
   starve_in_child("gcv_minkowski_sum, outward", outward_sum);
   starve_in_child("gcv_minkowski_sum, within a tolerance", sum_within);
@@ -171,6 +207,7 @@ int main(void) {
   frugal_functions();
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(fraction);
+  gcv_polygon_destroy(holed);
   gcv_polygon_destroy(polygon);
   return check_failures != 0;
 }

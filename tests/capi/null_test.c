@@ -28,9 +28,12 @@ static char nowhere;
 static const double UNTOUCHED = -12345.5;
 #define UNTOUCHED_HANDLE ((void *)&nowhere)
 static const size_t UNTOUCHED_COUNT = 4711;
+static const gcv_status UNTOUCHED_STATUS = -4711;
 
 static void polygons(const gcv_polygon *polygon) {
-  const double xy[] = {0, 0, 1, 0, 0, 1};
+  const double xy[] = {0, 0, 1, 0, 0, 1}, identity[6] = {1, 0, 0, 0, 1, 0};
+  const size_t three = 3;
+  gcv_status status = UNTOUCHED_STATUS;
   gcv_polygon *out = UNTOUCHED_HANDLE;
   double vertices[6] = {UNTOUCHED}, area = UNTOUCHED, bounds[4] = {UNTOUCHED};
   size_t count = UNTOUCHED_COUNT, required = 0;
@@ -41,6 +44,25 @@ static void polygons(const gcv_polygon *polygon) {
   REFUSES("text", gcv_polygon_create_wkt(NULL, 5, &out));
   REFUSES("text", gcv_polygon_create_wkt(NULL, 0, &out));
   REFUSES("out", gcv_polygon_create_wkt("POLYGON ((0 0, 1 0, 0 1))", 25, NULL));
+  REFUSES("xy", gcv_polygon_create_rings(NULL, &three, 1, 0, &out));
+  REFUSES("xy", gcv_polygon_create_rings(NULL, &three, 0, 0, &out));
+  REFUSES("ring_sizes", gcv_polygon_create_rings(xy, NULL, 1, 0, &out));
+  REFUSES("ring_sizes", gcv_polygon_create_rings(xy, NULL, 0, 0, &out));
+  REFUSES("out", gcv_polygon_create_rings(xy, &three, 1, 0, NULL));
+  REFUSES("xy", gcv_polygon_create_many(NULL, &three, 1, 0, &out, &status));
+  REFUSES("sizes", gcv_polygon_create_many(xy, NULL, 1, 0, &out, &status));
+  REFUSES("out", gcv_polygon_create_many(xy, &three, 1, 0, NULL, &status));
+  REFUSES("statuses", gcv_polygon_create_many(xy, &three, 1, 0, &out, NULL));
+  REFUSES("centre", gcv_polygon_create_disc(NULL, 1, 0.1, GCV_ROUND_NEAREST, &out));
+  REFUSES("out", gcv_polygon_create_disc(xy, 1, 0.1, GCV_ROUND_NEAREST, NULL));
+  REFUSES("polygon", gcv_polygon_affine(NULL, identity, &out));
+  REFUSES("m", gcv_polygon_affine(polygon, NULL, &out));
+  REFUSES("out", gcv_polygon_affine(polygon, identity, NULL));
+  REFUSES("polygon", gcv_polygon_ring_count(NULL, &count));
+  REFUSES("out", gcv_polygon_ring_count(polygon, NULL));
+  REFUSES("polygon", gcv_polygon_ring(NULL, 0, vertices, 3, &required));
+  REFUSES("required", gcv_polygon_ring(polygon, 0, vertices, 3, NULL));
+  REFUSES("required", gcv_polygon_ring(polygon, 0, NULL, 0, NULL));
   REFUSES("polygon", gcv_polygon_vertex_count(NULL, &count));
   REFUSES("out", gcv_polygon_vertex_count(polygon, NULL));
   REFUSES("polygon", gcv_polygon_vertices(NULL, vertices, 3, &required));
@@ -54,7 +76,7 @@ static void polygons(const gcv_polygon *polygon) {
   REFUSES("out", gcv_polygon_simplified(polygon, 1, GCV_ROUND_NEAREST, NULL, &area));
   REFUSES("error_bound", gcv_polygon_simplified(polygon, 1, GCV_ROUND_NEAREST, &out, NULL));
 
-  CHECK(out == UNTOUCHED_HANDLE && count == UNTOUCHED_COUNT);
+  CHECK(out == UNTOUCHED_HANDLE && count == UNTOUCHED_COUNT && status == UNTOUCHED_STATUS);
   CHECK(vertices[0] == UNTOUCHED && area == UNTOUCHED && bounds[0] == UNTOUCHED);
 }
 
@@ -126,6 +148,8 @@ static void supersets(const gcv_superset *superset) {
 
 static void allowed(void) {
   gcv_options_init(NULL);
+  gcv_options_init_size(NULL, sizeof(gcv_options));
+  CHECK_OK(gcv_polygon_create_many(NULL, NULL, 0, 0, NULL, NULL));
   gcv_polygon_destroy(NULL);
   gcv_outer_face_destroy(NULL);
   gcv_superset_destroy(NULL);

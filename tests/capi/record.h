@@ -33,9 +33,16 @@ static inline int put_status(struct record *record, gcv_status status) {
 
 static inline void put_polygon(struct record *record, const gcv_polygon *polygon) {
   double xy[2 * MOST_VERTICES], area, bounds[4];
-  size_t count;
+  size_t count, rings = 0, k;
   if (put_status(record, gcv_polygon_vertices(polygon, xy, MOST_VERTICES, &count))) {
     put(record, xy, count * 2 * sizeof *xy);
+  }
+  if (put_status(record, gcv_polygon_ring_count(polygon, &rings)))
+    put(record, &rings, sizeof rings);
+  for (k = 0; k <= rings; ++k) { /* one too many is an error to be recorded */
+    if (put_status(record, gcv_polygon_ring(polygon, k, xy, MOST_VERTICES, &count))) {
+      put(record, xy, count * 2 * sizeof *xy);
+    }
   }
   if (put_status(record, gcv_polygon_area(polygon, &area))) put(record, &area, sizeof area);
   if (put_status(record, gcv_polygon_bounds(polygon, bounds))) put(record, bounds, sizeof bounds);
@@ -94,6 +101,46 @@ static inline void put_simplified(struct record *record, const gcv_polygon *poly
   gcv_polygon_destroy(out);
 }
 
+/* The polygon turned by maps that round, and one that is beyond all doubles for some. */
+static inline void put_images(struct record *record, const gcv_polygon *polygon) {
+  static const double maps[][6] = {{0.6, -0.8, 0.1, 0.8, 0.6, -1e9}, {0, 1e10, 0, 1e-10, 0, 1}};
+  size_t k;
+  for (k = 0; k < sizeof maps / sizeof *maps; ++k) {
+    gcv_polygon *image = NULL;
+    if (put_status(record, gcv_polygon_affine(polygon, maps[k], &image))) {
+      put_polygon(record, image);
+    }
+    gcv_polygon_destroy(image);
+  }
+}
+
+/* Discs, polygons with holes, and many at once. */
+static inline void put_others(struct record *record) {
+  static const double xy[] = {0, 0, 3, 0.1, 0, 3, 0.1, 0.1, 1, 0.3, 0.3, 1, 0.1, 0.1};
+  static const size_t sizes[] = {3, 4}, many[] = {3, 2, 2};
+  const double centre[2] = {0.1, -1e5};
+  gcv_polygon *polygons[4] = {NULL, NULL, NULL, NULL};
+  gcv_status statuses[3];
+  size_t k;
+  int32_t rounding;
+  for (rounding = GCV_ROUND_NEAREST; rounding <= GCV_ROUND_OUTWARD; ++rounding) {
+    if (put_status(record, gcv_polygon_create_disc(centre, 0.7, 1e-2, rounding, polygons))) {
+      put_polygon(record, polygons[0]);
+    }
+    gcv_polygon_destroy(polygons[0]);
+    polygons[0] = NULL;
+  }
+  if (put_status(record, gcv_polygon_create_many(xy, many, 3, 0, polygons, statuses))) {
+    put(record, gcv_last_error_message(), strlen(gcv_last_error_message()));
+    put(record, statuses, sizeof statuses);
+  }
+  if (put_status(record, gcv_polygon_create_rings(xy, sizes, 2, 0, &polygons[3]))) {
+    put_polygon(record, polygons[3]);
+    put_images(record, polygons[3]);
+  }
+  for (k = 0; k < 4; ++k) gcv_polygon_destroy(polygons[k]);
+}
+
 static inline void put_sums(struct record *record, const gcv_polygon *a, const gcv_polygon *b,
                             double tolerance, int32_t rounding) {
   const double point[2] = {0.1, -1e-9};
@@ -118,6 +165,7 @@ static inline void put_pair(struct record *record, const gcv_polygon *a, const g
   int32_t rounding;
   put_polygon(record, a);
   put_polygon(record, b);
+  put_images(record, a);
   for (rounding = GCV_ROUND_NEAREST; rounding <= GCV_ROUND_OUTWARD; ++rounding) {
     put_sums(record, a, b, 0, rounding);
     put_sums(record, a, b, tolerance, rounding);
@@ -158,11 +206,15 @@ static inline gcv_status pair_polygon(int pair, int which, gcv_polygon **polygon
 /* What the library makes of input that it refuses. */
 static inline void put_refusals(struct record *record) {
   const double bow_tie[] = {0, 0, 0.2, 0.2, 0.2, 0, 0, 0.2}, bad[] = {0, 0, 1, NAN, INFINITY, 1};
+  const double apart[] = {0, 0, 0.2, 0.1, 0, 0.3, 1, 1, 1.1, 1, 1, 1.1};
+  const size_t sizes[] = {3, 3};
   gcv_polygon *polygon = NULL;
   put_status(record, gcv_polygon_create(bow_tie, 4, 0, &polygon));
   put_status(record, gcv_polygon_create(bad, 3, 0, &polygon));
   put_status(record, gcv_polygon_create(bad, 2, 0, &polygon));
   put_status(record, gcv_polygon_create_wkt("POLYGON ((1e999 0))", 19, &polygon));
+  put_status(record, gcv_polygon_create_rings(apart, sizes, 2, 0, &polygon));
+  put_status(record, gcv_polygon_create_disc(apart, 0.1, 1e-300, GCV_ROUND_NEAREST, &polygon));
   gcv_polygon_destroy(polygon);
 }
 

@@ -3,7 +3,6 @@
  * Which rings are refused, and do the two edges that the message names meet? Decided once
  * more here, by testing every pair of edges in small integers.
  */
-#include <math.h>
 #include <stdint.h>
 
 #include "handles.h"

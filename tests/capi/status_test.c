@@ -5,7 +5,6 @@
  * input that gives GCV_ERR_INTERNAL, a defect of the library, and a text of more than
  * 2^31 vertices, for GCV_ERR_INVALID_ARGUMENT, would take many gigabytes.
  */
-#include <limits.h>
 #include <pthread.h>
 
 #include "check.h"

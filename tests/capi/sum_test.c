@@ -109,6 +109,27 @@ static void no_fit_polygon(void) {
   gcv_outer_face_destroy(face);
 }
 
+/* A part that just fits a slot: its way in is a slit without width, which lies inside the ring.
+   A part that leaves a gap, however narrow, has its way in on the ring. */
+static void slot(void) {
+  const double gap = 0x1p-40;
+  const double reference[2] = {0, 0};
+  gcv_polygon *block = POLYGON(0, 0, 6, 0, 6, 6, 4, 6, 4, 2, 2, 2, 2, 6, 0, 6);
+  gcv_polygon *fit = POLYGON(0, 0, 2, 0, 2, 2, 0, 2);
+  gcv_polygon *loose = POLYGON(0, 0, 2 - gap, 0, 2 - gap, 2, 0, 2);
+  gcv_outer_face *face = NULL;
+  CHECK_OK(gcv_no_fit_polygon(block, fit, reference, NULL, &face));
+  CHECK(face_is(face, RING(-2, -2, 6, -2, 6, 6, -2, 6)));
+  gcv_outer_face_destroy(face);
+  CHECK_OK(gcv_no_fit_polygon(block, loose, reference, NULL, &face));
+  CHECK(face_is(face,
+                RING(gap - 2, -2, 6, -2, 6, 6, 2 + gap, 6, 2 + gap, 2, 2, 2, 2, 6, gap - 2, 6)));
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(loose);
+  gcv_polygon_destroy(fit);
+  gcv_polygon_destroy(block);
+}
+
 /* B + (-A) + a0 is the no-fit polygon of B and A. */
 static void entrance_block(void) {
   const double a0[2] = {10, -1};
@@ -219,6 +240,7 @@ int main(void) {
   crossing();
   frame();
   no_fit_polygon();
+  slot();
   entrance_block();
   bad_reference();
   index_past_the_end();

@@ -17,6 +17,7 @@ static void put_everything(struct record *record) {
     put_pair(record, polygons[pair][0], polygons[pair][1], pair_tolerances[pair]);
   }
   put_face(record, shared_face);
+  put_others(record);
   put_refusals(record);
 }
 

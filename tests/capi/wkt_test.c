@@ -35,8 +35,9 @@ static void accepted(void) {
   is_the_triangle("POLYGON ((+0 -0, 4e0 0e7, -0.0 30E-1, 0 0))");
   is_the_triangle("POLYGON ((0. .0, +0.4e+1 0e-9, 000 3.000, 0 0))");
   is_the_triangle("POLYGON ((0 0, 2 0, 2 0, 4 0, 0 3))");
-  is_the_triangle("POLYGON ((0 0, 4 0, 0 3, 0 0), (1 1, 2 1, 1 2, 1 1))");
-  is_the_triangle("POLYGON ((0 0, 4 0, 0 3), (1 1, 2 1, 1 2),(9 9, 8 9, 9 8, 9 9))");
+  /* The outer ring of polygons with holes. */
+  is_the_triangle("POLYGON ((0 0, 4 0, 0 3, 0 0), (1 1, 1.5 1, 1 1.5, 1 1))");
+  is_the_triangle("POLYGON ((0 0, 4 0, 0 3), (1 1, 1.5 1, 1 1.5),(0.5 0.5, 1 0.5, 1 1, 0.5 0.5))");
 }
 
 static void refused(gcv_status status, const char *part, const char *text) {

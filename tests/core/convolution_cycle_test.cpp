@@ -27,7 +27,7 @@ struct Segment {
 
 class Sum {
  public:
-  Sum(const Polygon& a, const Polygon& b)
+  Sum(const gcv::Boundary& a, const gcv::Boundary& b)
       : operands_{a, b, merge_directions(a, b, tally_)},
         cycle_(ConvolutionCycle::find({a, b, {}}, tally_)) {}
 
@@ -153,10 +153,10 @@ TEST(ConvolutionCycle, CoversTheSupersetAndKnowsWhatIsNear) {
   int with_gaps = 0;
   for (int k = 0; k < 20000 && cycles < 2000; ++k) {
     const int extent = test::uniform(random, 3, 12);
-    const Polygon a =
-        make_polygon(test::random_small_integer_polygon(random, k % 2 == 0 ? 4 : 12, extent), "a");
-    const Polygon b =
-        make_polygon(test::random_small_integer_polygon(random, k % 2 == 0 ? 12 : 4, extent), "b");
+    const gcv::Boundary a =
+        make_ring(test::random_small_integer_polygon(random, k % 2 == 0 ? 4 : 12, extent), "a");
+    const gcv::Boundary b =
+        make_ring(test::random_small_integer_polygon(random, k % 2 == 0 ? 12 : 4, extent), "b");
     const Sum sum(a, b);
     ASSERT_TRUE(!sum.cycle() || a.is_convex != b.is_convex);
     if (sum.cycle()) {
@@ -173,8 +173,8 @@ TEST(ConvolutionCycle, CoversTheSupersetAndKnowsWhatIsNear) {
 }
 
 TEST(ConvolutionCycle, StartsInVerticesOfTheHull) {
-  const Polygon a = make_polygon(Ring{{0, 0}, {4, 0}, {4, 4}, {3, 1}}, "a");
-  const Polygon b = make_polygon(Ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, "b");
+  const gcv::Boundary a = make_ring(Ring{{0, 0}, {4, 0}, {4, 4}, {3, 1}}, "a");
+  const gcv::Boundary b = make_ring(Ring{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, "b");
   for (const auto& [p, q] : {std::pair(&a, &b), std::pair(&b, &a)}) {
     const Sum sum(*p, *q);
     ASSERT_TRUE(sum.cycle());
@@ -185,9 +185,9 @@ TEST(ConvolutionCycle, StartsInVerticesOfTheHull) {
 
 TEST(ConvolutionCycle, IsNotWhereAllIsNearAll) {
   Random random(8);
-  const Polygon comb = make_polygon(test::random_histogram(random, 400, 50), "comb");
-  const Polygon small = make_polygon(Ring{{0, 0}, {0.5, 0}, {0.25, 0.5}}, "small");
-  const Polygon large = make_polygon(Ring{{0, 0}, {300, 10}, {150, 200}}, "large");
+  const gcv::Boundary comb = make_ring(test::random_histogram(random, 400, 50), "comb");
+  const gcv::Boundary small = make_ring(Ring{{0, 0}, {0.5, 0}, {0.25, 0.5}}, "small");
+  const gcv::Boundary large = make_ring(Ring{{0, 0}, {300, 10}, {150, 200}}, "large");
   EXPECT_TRUE(Sum(comb, small).cycle());
   EXPECT_FALSE(Sum(comb, large).cycle());
   EXPECT_FALSE(Sum(comb, comb).cycle());

@@ -12,6 +12,8 @@
 
 #include "error.hpp"
 #include "minkowski_sum.hpp"
+#include "polygon.hpp"
+#include "ring_predicates.hpp"
 #include "wkt.hpp"
 
 namespace gcv {
@@ -24,7 +26,9 @@ const std::map<std::string, Status> statuses{
 };
 
 Operand polygon(const std::string& text, const char* name) {
-  return {std::make_shared<Polygon>(make_polygon(parse_polygon(text, name), name)), name};
+  return {
+      outer_ring(std::make_shared<const Polygon>(make_polygon(parse_polygon(text, name), name))),
+      name};
 }
 
 std::string exact_ring_of_sum(const Operand& a, const Operand& b) {

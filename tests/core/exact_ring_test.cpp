@@ -11,6 +11,7 @@
 
 #include "generators.hpp"
 #include "minkowski_sum.hpp"
+#include "ring_predicates.hpp"
 
 namespace gcv {
 namespace {
@@ -34,7 +35,7 @@ Fractions vertex(const ExactRing& ring, std::size_t k) {
 
 ExactRing ring_of(const Ring& a, const Ring& b) {
   const auto operand = [](const Ring& ring, const char* name) {
-    return Operand{std::make_shared<const Polygon>(make_polygon(ring, name)), name};
+    return Operand{std::make_shared<const gcv::Boundary>(make_ring(ring, name)), name};
   };
   Task task;
   return minkowski_sum(operand(a, "a"), operand(b, "b"), {0, 0}, Rounding::nearest, task).exact;

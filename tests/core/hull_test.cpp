@@ -40,9 +40,9 @@ struct Way {
 
 // Is the sum of the vertices a corner of the convex hull of the sum, and the sum of no others? Then
 // the ways from them to all other vertices of their polygons lie within less than half a turn.
-bool is_corner(const Polygon& a, const Polygon& b, const HullVertex& vertex) {
+bool is_corner(const gcv::Boundary& a, const gcv::Boundary& b, const VertexSum& vertex) {
   std::vector<Way> ways;
-  const auto add = [&](const Polygon& polygon, Index corner) {
+  const auto add = [&](const gcv::Boundary& polygon, Index corner) {
     for (const Point& p : polygon.vertices) {
       if (!(p == polygon.vertices[corner])) {
         ways.push_back({polygon.vertices[corner], p});
@@ -66,13 +66,13 @@ TEST(Hull, WalksStartInCornersOfTheSum) {
   std::size_t starts = 0;
   for (int round = 0; round < 60; ++round) {
     const double distance = round % 2 == 0 ? 0 : 0x1p50;
-    const Polygon a = make_polygon(star(random, 24, distance), "a");
-    const Polygon b = make_polygon(star(random, 9, -distance), "b");
-    const std::vector<HullVertex> vertices = hull_vertices(a, b, 8);
+    const gcv::Boundary a = make_ring(star(random, 24, distance), "a");
+    const gcv::Boundary b = make_ring(star(random, 9, -distance), "b");
+    const std::vector<VertexSum> vertices = hull_vertices(a, b, 8);
     starts += vertices.size();
     EXPECT_EQ(vertices.front().i, a.lexicographic_min);
     EXPECT_EQ(vertices.front().j, b.lexicographic_min);
-    for (const HullVertex& vertex : vertices) {
+    for (const VertexSum& vertex : vertices) {
       EXPECT_TRUE(is_corner(a, b, vertex))
           << "round " << round << ": " << vertex.i << ", " << vertex.j;
     }
@@ -89,7 +89,7 @@ TEST(Hull, WalksStartInCornersOfTheSum) {
 
 TEST(Hull, OneThreadStartsOnce) {
   Random random(29);
-  const Polygon a = make_polygon(star(random, 5, 0), "a");
+  const gcv::Boundary a = make_ring(star(random, 5, 0), "a");
   EXPECT_EQ(hull_vertices(a, a, 1).size(), 1U);
 }
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "box.hpp"
 #include "generators.hpp"
 
 namespace gcv {

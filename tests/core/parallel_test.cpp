@@ -66,7 +66,7 @@ TEST(Parallel, OthersAreReportedAndCancelled) {
     s.reported = true;
     return 1;
   };
-  Task task(2, report, &seen, 100 * Task::portion);
+  Task task(2, report, &seen);
   bool cancelled = false;
   const auto two_portions = [&] {
     task.advance(Task::portion);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Searches in the superset, in both its forms, by windows and by strips, against all its edges, one
+// Searches in the superset, in both its forms, by both caches, against all its edges, one
 // by one.
 // The polygons have small integer coordinates, times a power of two: there the positions of edges
 // are exact in doubles.
@@ -13,13 +13,13 @@
 #include <tuple>
 #include <vector>
 
+#include "ahead_cache.hpp"
 #include "generators.hpp"
-#include "implicit_superset.hpp"
-#include "local_superset.hpp"
 #include "piece.hpp"
+#include "place_cache.hpp"
 #include "predicates.hpp"
-#include "strip.hpp"
-#include "superset_tree.hpp"
+#include "table.hpp"
+#include "tree_product.hpp"
 
 namespace gcv {
 namespace {
@@ -77,17 +77,32 @@ void expect_all_found(double most_visits, Prepare prepare) {
     const int exponents[] = {0, -1000, -60, 900};
     const int exponent = exponents[k % 4];
     const double unit = std::ldexp(1.0, exponent);
-    const auto polygon = [&](int vertices) {
+    const auto boundary = [&](int vertices) {
       Ring ring = k % 3 == 0 ? test::random_histogram(random, vertices / 2, 200)
                              : test::random_small_integer_polygon(random, vertices, 200);
       for (Point& p : ring) {
         p = {p.x * unit, p.y * unit};
       }
-      return make_polygon(ring, "polygon");
+      return ring;
+    };
+    // Some with two more rings, in the box of the first one, which is all that a search knows of
+    // holes.
+    const auto polygon = [&](int vertices) {
+      const gcv::Boundary outer = make_ring(boundary(vertices), "outer");
+      const Point& first = outer.vertices.front();
+      std::vector<gcv::Boundary> holes;
+      for (int hole = 0; hole < (k % 5 == 0 ? 2 : 0); ++hole) {
+        Ring ring = boundary(5);
+        for (Point& p : ring) {
+          p = {first.x + p.x / 256, outer.bounds.y0 + p.y / 400 + unit / 2};
+        }
+        holes.push_back(make_ring(ring, "hole", gcv::Boundary::Kind::hole));
+      }
+      return joined(outer, holes);
     };
     Tally tally;
-    const Polygon a = polygon(4 + k % 24);
-    const Polygon b = polygon(4 + k % 21);
+    const gcv::Boundary a = polygon(4 + k % 24);
+    const gcv::Boundary b = polygon(4 + k % 21);
     const Operands operands{a, b, merge_directions(a, b, tally)};
     const std::vector<PairEdge> edges = all_edges(operands);
     const auto search = prepare(operands, edges);
@@ -118,35 +133,35 @@ void expect_all_found(double most_visits, Prepare prepare) {
   EXPECT_LT(static_cast<double>(visited), most_visits * static_cast<double>(possible));
 }
 
-TEST(SupersetTree, FindsAllEdgesThatMeetAPiece) {
+TEST(SupersetTable, FindsAllEdgesThatMeetAPiece) {
   expect_all_found(0.3, [](const Operands& operands, const std::vector<PairEdge>& edges) {
     const RankedEdges ranked(operands.directions);
     const CoarseGrid grid(operands);
     EXPECT_EQ(count_superset(operands, ranked), edges.size());
-    EXPECT_TRUE(grid.is_fine_enough(operands));
-    return [tree = SupersetTree(operands, grid, ranked, edges.size())](
+    EXPECT_TRUE(grid.is_fine_enough(operands) || operands.a.layout.ring_count() > 1);
+    return [tree = SupersetTable(operands, grid, ranked, edges.size())](
                const SumEdge& edge, const Segment& piece, auto visit) {
-      tree.search(SupersetTree::Piece(tree, edge, piece.from, piece.to), visit);
+      tree.search(SupersetTable::Piece(tree, edge, piece.from, piece.to), visit);
     };
   });
 }
 
 // A gear of so many teeth, whose edges are about as long as its radius over their number.
-Polygon gear(int teeth, double radius) {
+gcv::Boundary gear(int teeth, double radius) {
   Ring ring;
   for (int k = 0; k < 2 * teeth; ++k) {
     const double angle = M_PI * k / teeth;
     const double r = k % 2 == 0 ? radius : 0.8 * radius;
     ring.push_back({r * std::cos(angle), r * std::sin(angle)});
   }
-  return make_polygon(ring, "gear");
+  return make_ring(ring, "gear");
 }
 
 TEST(CoarseGrid, IsTooCoarseForManyShortEdgesOrExtentsOutOfRange) {
   const auto is_fine = [](double radius_a, double radius_b) {
     Tally tally;
-    const Polygon a = gear(50, radius_a);
-    const Polygon b = gear(50, radius_b);
+    const gcv::Boundary a = gear(50, radius_a);
+    const gcv::Boundary b = gear(50, radius_b);
     const Operands operands{a, b, merge_directions(a, b, tally)};
     return CoarseGrid(operands).is_fine_enough(operands);
   };
@@ -160,9 +175,9 @@ TEST(CoarseGrid, IsTooCoarseForManyShortEdgesOrExtentsOutOfRange) {
   EXPECT_FALSE(is_fine(0x1p-1020, 0x1p-1020));
 }
 
-TEST(ImplicitSuperset, FindsAllEdgesThatMeetAPiece) {
+TEST(TreeProduct, FindsAllEdgesThatMeetAPiece) {
   expect_all_found(0.3, [](const Operands& operands, const std::vector<PairEdge>& /*edges*/) {
-    return [superset = ImplicitSuperset(operands), slack = slack_of(operands)](
+    return [superset = TreeProduct(operands), slack = slack_of(operands)](
                const SumEdge& edge, const Segment& piece, auto visit) {
       Piece place(edge, edge.from, piece.from, piece.to, slack);
       superset.search(place, [&](Index i, Index j) { superset.for_each_edge(i, j, visit); });
@@ -170,20 +185,20 @@ TEST(ImplicitSuperset, FindsAllEdgesThatMeetAPiece) {
   });
 }
 
-TEST(LocalSuperset, HoldsAllEdgesThatMeetAPiece) {
-  std::size_t windows = 0;
+TEST(PlaceCache, HoldsAllEdgesThatMeetAPiece) {
+  std::size_t served = 0;
   std::size_t pieces = 0;
   const auto prepare = [&](const Operands& operands, const std::vector<PairEdge>& /*edges*/) {
-    auto superset = std::make_shared<ImplicitSuperset>(operands);
-    auto local = std::make_shared<LocalSuperset>(*superset, slack_of(operands));
-    return [&windows, &pieces, superset, local, slack = slack_of(operands)](
+    auto superset = std::make_shared<TreeProduct>(operands);
+    auto local = std::make_shared<PlaceCache>(*superset, slack_of(operands));
+    return [&served, &pieces, superset, local, slack = slack_of(operands)](
                const SumEdge& edge, const Segment& piece, auto visit) {
       const auto& [from, to] = piece;
       const double length = std::max(std::abs(to.x - from.x), std::abs(to.y - from.y));
       ++pieces;
       if (local->covers(from, to) ||
           (length < local->reach() && local->gather(from, to, nullptr))) {
-        ++windows;
+        ++served;
         local->for_each_near(edge.from, edge.dx, edge.dy, from, to, visit);
       } else {
         Piece place(edge, edge.from, from, to, slack);
@@ -192,74 +207,74 @@ TEST(LocalSuperset, HoldsAllEdgesThatMeetAPiece) {
     };
   };
   expect_all_found(0.3, prepare);
-  EXPECT_GT(windows, pieces / 2);
+  EXPECT_GT(served, pieces / 2);
 }
 
 // A walk that comes to the start of a piece by a bent way, swinging, which leads on along it.
-void walk_to(Strip& strip, const Segment& piece) {
+void walk_to(AheadCache& cache, const Segment& piece) {
   const double dx = piece.to.x - piece.from.x;
   const double dy = piece.to.y - piece.from.y;
   for (int k = -400; k < 0; ++k) {
     const double along = k / 100.0;
     const double across = (k % 2 == 0 ? 0.1 : -0.1) + 0.01 * along * along;
-    strip.pass({piece.from.x + along * dx - across * dy, piece.from.y + along * dy + across * dx});
+    cache.pass({piece.from.x + along * dx - across * dy, piece.from.y + along * dy + across * dx});
   }
 }
 
-TEST(Strip, HoldsAllEdgesThatMeetAPiece) {
-  std::size_t strips = 0;
+TEST(AheadCache, HoldsAllEdgesThatMeetAPiece) {
+  std::size_t boxes = 0;
   std::size_t shortened = 0;
   std::size_t pieces = 0;
   const auto prepare = [&](const Operands& operands, const std::vector<PairEdge>& /*edges*/) {
-    auto superset = std::make_shared<ImplicitSuperset>(operands);
-    auto strip = std::make_shared<Strip>(*superset, slack_of(operands));
-    return [&, superset, strip, slack = slack_of(operands)](const SumEdge& edge,
+    auto superset = std::make_shared<TreeProduct>(operands);
+    auto cache = std::make_shared<AheadCache>(*superset, slack_of(operands));
+    return [&, superset, cache, slack = slack_of(operands)](const SumEdge& edge,
                                                             const Segment& piece, auto visit) {
       Piece place(edge, edge.from, piece.from, piece.to, slack);
       ++pieces;
-      if (!strip->holds(piece.from)) {
-        walk_to(*strip, piece);
+      if (!cache->holds(piece.from)) {
+        walk_to(*cache, piece);
       }
-      strip->fund().add_search(1000000);
-      if (!strip->keep_up(piece.from, nullptr)) {
+      cache->budget().add_search(1000000);
+      if (!cache->keep_up(piece.from, nullptr)) {
         superset->search(place, [&](Index i, Index j) { superset->for_each_edge(i, j, visit); });
         return;
       }
-      ++strips;
+      ++boxes;
       std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
       const auto visit_once = [&](const PairEdge& e) {
         if (found.insert(key(e)).second) {
           visit(e);
         }
       };
-      if (!strip->holds(piece.to)) {  // then up to its border, and beyond it in the superset
+      if (!cache->holds(piece.to)) {  // then up to its border, and beyond it in the superset
         ++shortened;
-        const double room = strip->room(piece.from, edge.dx, edge.dy);
+        const double room = cache->room(piece.from, edge.dx, edge.dy);
         EXPECT_LT(room, 1);
         const Point border{piece.from.x + room * edge.dx, piece.from.y + room * edge.dy};
-        EXPECT_TRUE(strip->holds(border));
+        EXPECT_TRUE(cache->holds(border));
         Piece rest(edge, edge.from, border, piece.to, slack);
         superset->search(rest,
                          [&](Index i, Index j) { superset->for_each_edge(i, j, visit_once); });
         place.shorten(border);
       }
-      strip->search(place, visit_once);
+      cache->search(place, visit_once);
     };
   };
   expect_all_found(0.3, prepare);
-  EXPECT_GT(strips, pieces / 2);
-  EXPECT_GT(shortened, strips / 10);
+  EXPECT_GT(boxes, pieces / 2);
+  EXPECT_GT(shortened, boxes / 10);
 }
 
-TEST(StripFund, SpendsAnEighthOfWhatSearchesCostAtMostWhereStripsSpareNothing) {
-  StripFund fund;
+TEST(CostBudget, SpendsAnEighthOfWhatSearchesCostAtMostWhereFillsSpareNothing) {
+  CostBudget budget;
   std::int64_t searched = 0;
   std::int64_t spent = 0;
   for (int k = 0; k < 100000; ++k) {
-    fund.add_search(100);
+    budget.add_search(100);
     searched += 100;
-    if (const std::int64_t most = fund.most(); most > 0) {
-      fund.spend(most, k % 3 != 0);
+    if (const std::int64_t most = budget.most(); most > 0) {
+      budget.spend(most, k % 3 != 0);
       spent += most;
     }
     EXPECT_LE(8 * spent, searched);
@@ -268,26 +283,26 @@ TEST(StripFund, SpendsAnEighthOfWhatSearchesCostAtMostWhereStripsSpareNothing) {
   EXPECT_LT(31 * spent, searched);
 }
 
-TEST(StripFund, GrantsOneAfterAnotherWhereTheySpareMoreThanTwiceTheirCost) {
-  StripFund fund;
-  while (fund.most() == 0) {
-    fund.add_search(100);
+TEST(CostBudget, GrantsOneAfterAnotherWhereTheySpareMoreThanTwiceTheirCost) {
+  CostBudget budget;
+  while (budget.most() == 0) {
+    budget.add_search(100);
   }
-  for (int strip = 0; strip < 100; ++strip) {
-    ASSERT_GE(fund.most(), 512);
-    fund.spend(512, true);
+  for (int cache = 0; cache < 100; ++cache) {
+    ASSERT_GE(budget.most(), 512);
+    budget.spend(512, true);
     for (int k = 0; k < 13; ++k) {
-      fund.add_spared(10);
+      budget.add_spared(10);
     }
   }
 }
 
-TEST(StripFund, GrantsNoneWhereWindowsSpareMostSearches) {
-  StripFund fund;
+TEST(CostBudget, GrantsNoneWhereThePlaceCacheSparesMostSearches) {
+  CostBudget budget;
   for (int k = 0; k < 100000; ++k) {
-    fund.add_search(100);
-    fund.add_window();
-    EXPECT_EQ(fund.most(), 0);
+    budget.add_search(100);
+    budget.add_near();
+    EXPECT_EQ(budget.most(), 0);
   }
 }
 

@@ -6,10 +6,10 @@
 #include <gmp.h>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <new>
+#include <utility>
 
 #include "pairs.hpp"
 
@@ -248,6 +248,32 @@ void starve_all_of(const gcv::faults::Pair& pair) {
          handle<gcv_superset>([=](gcv_superset** out) { return gcv_superset_create(a, b, out); }));
 }
 
+// Two holes in a square, which touch.
+constexpr double plate_xy[] = {0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 2, 1, 1, 2, 2, 1, 3, 1, 3, 2};
+constexpr std::size_t plate_sizes[] = {4, 3, 3};
+
+// Gives the last one alone, where there are all.
+gcv_status create_last_of_many(gcv_polygon** out) {
+  constexpr std::size_t count = std::size(plate_sizes);
+  gcv_polygon* polygons[count] = {};
+  gcv_status statuses[count] = {};
+  gcv_status status = gcv_polygon_create_many(plate_xy, plate_sizes, count, 0, polygons, statuses);
+  for (std::size_t k = 0; k < count; ++k) {
+    check((polygons[k] != nullptr) == (status == GCV_OK && statuses[k] == GCV_OK),
+          "gcv_polygon_create_many", " gave a polygon or not");
+  }
+  for (const gcv_status other : statuses) {
+    status = status == GCV_OK ? other : status;
+  }
+  if (status == GCV_OK) {
+    *out = std::exchange(polygons[count - 1], nullptr);
+  }
+  for (gcv_polygon* const polygon : polygons) {
+    gcv_polygon_destroy(polygon);
+  }
+  return status;
+}
+
 void starve_polygons() {
   static constexpr double xy[] = {0, 0, 1, 0, 4, 0, 4, 0, 4, 4, 2, 3, 0, 4};
   static constexpr std::string_view wkt =
@@ -255,6 +281,21 @@ void starve_polygons() {
   starve("gcv_polygon_create", handle<gcv_polygon>([](gcv_polygon** out) {
            return gcv_polygon_create(xy, std::size(xy) / 2, 0, out);
          }));
+  starve("gcv_polygon_create_rings", handle<gcv_polygon>([](gcv_polygon** out) {
+           return gcv_polygon_create_rings(plate_xy, plate_sizes, std::size(plate_sizes), 0, out);
+         }));
+  starve("gcv_polygon_create_many", handle<gcv_polygon>(create_last_of_many));
+  starve("gcv_polygon_create_disc", handle<gcv_polygon>([](gcv_polygon** out) {
+           return gcv_polygon_create_disc(xy, 1, 0.01, GCV_ROUND_OUTWARD, out);
+         }));
+  // Integers of more than 512 bits, for which GMP has to ask for memory.
+  const Owner<gcv_polygon> plate = gcv::faults::read(wkt);
+  for (const double tiny : {0.0, 0x1p-1074}) {
+    starve("gcv_polygon_affine", handle<gcv_polygon>([&](gcv_polygon** out) {
+             const double m[6] = {0.6, -0.8, tiny, 0.8, 0.6, -tiny};
+             return gcv_polygon_affine(plate.get(), m, out);
+           }));
+  }
   starve("gcv_polygon_create_wkt", handle<gcv_polygon>([](gcv_polygon** out) {
            return gcv_polygon_create_wkt(wkt.data(), wkt.size(), out);
          }));
@@ -265,6 +306,8 @@ void starve_polygons() {
   for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
     starve("gcv_polygon_simplified of a fork, rounding " + std::to_string(rounding),
            simplified(fork.get(), 0.5, rounding));
+    starve("gcv_polygon_simplified of a plate, rounding " + std::to_string(rounding),
+           simplified(plate.get(), 0.5, rounding));
   }
 }
 

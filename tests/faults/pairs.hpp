@@ -13,7 +13,6 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace gcv::faults {
@@ -130,6 +129,13 @@ inline std::string transcript(const gcv_polygon* polygon) {
   append_elements<Vertex>(bytes, [&](Vertex* out, std::size_t capacity, std::size_t* required) {
     return gcv_polygon_vertices(polygon, reinterpret_cast<double*>(out), capacity, required);
   });
+  std::size_t rings = 0;
+  require(gcv_polygon_ring_count(polygon, &rings));
+  for (std::size_t k = 0; k < rings; ++k) {
+    append_elements<Vertex>(bytes, [&](Vertex* out, std::size_t capacity, std::size_t* required) {
+      return gcv_polygon_ring(polygon, k, reinterpret_cast<double*>(out), capacity, required);
+    });
+  }
   return bytes;
 }
 

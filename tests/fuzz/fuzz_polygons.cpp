@@ -3,7 +3,6 @@
 // Bytes -> two polygons of few vertices -> sum, no-fit polygon and entrance block, with both
 // roundings, and within a tolerance. What is valid must be accepted, and the invariants of sums
 // and of simplified polygons must hold.
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>

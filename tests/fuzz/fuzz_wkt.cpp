@@ -16,37 +16,67 @@ using Handle = gcv::fuzz::Polygon;
 // Sums of more vertices than these take longer than a fuzzer should wait.
 constexpr std::size_t most_vertices = 40;
 
-std::vector<double> vertices(const gcv_polygon* polygon) {
-  std::size_t count = 0;
-  succeeds("gcv_polygon_vertices", gcv_polygon_vertices(polygon, nullptr, 0, &count));
-  std::vector<double> xy(2 * count);
-  succeeds("gcv_polygon_vertices", gcv_polygon_vertices(polygon, xy.data(), count, &count));
-  return xy;
+// The vertices of rings, one ring after the other.
+struct Rings {
+  std::vector<double> xy;
+  std::vector<std::size_t> sizes;
+
+  friend bool operator==(const Rings&, const Rings&) = default;
+};
+
+Rings rings_of(const gcv_polygon* polygon) {
+  Rings rings;
+  std::size_t ring_count = 0;
+  succeeds("gcv_polygon_ring_count", gcv_polygon_ring_count(polygon, &ring_count));
+  for (std::size_t ring = 0; ring < ring_count; ++ring) {
+    std::size_t count = 0;
+    succeeds("gcv_polygon_ring", gcv_polygon_ring(polygon, ring, nullptr, 0, &count));
+    const std::size_t begin = rings.xy.size();
+    rings.xy.resize(begin + 2 * count);
+    succeeds("gcv_polygon_ring",
+             gcv_polygon_ring(polygon, ring, rings.xy.data() + begin, count, &count));
+    rings.sizes.push_back(count);
+  }
+  return rings;
 }
 
-// The numbers of the outer ring of a text that is known to be a polygon.
-std::vector<double> numbers_as_in_c(const std::string& text) {
-  std::vector<double> numbers;
-  const char* next = std::strchr(std::strchr(text.c_str(), '(') + 1, '(');
+Handle polygon_of(const Rings& rings, gcv_status* status) {
+  gcv_polygon* out = nullptr;
+  *status =
+      gcv_polygon_create_rings(rings.xy.data(), rings.sizes.data(), rings.sizes.size(), 0, &out);
+  return Handle(out);
+}
+
+// The numbers of a text that is known to be a polygon.
+Rings numbers_as_in_c(const std::string& text) {
+  constexpr const char* space = " \t\n\v\f\r";
+  Rings rings;
+  const char* next = std::strchr(text.c_str(), '(');
   do {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(next + 1, &end));
-    numbers.push_back(std::strtod(end, &end));
-    next = end + std::strspn(end, " \t\n\v\f\r");
+    next = std::strchr(next + 1, '(');
+    std::size_t count = 0;
+    do {
+      char* end = nullptr;
+      rings.xy.push_back(std::strtod(next + 1, &end));
+      rings.xy.push_back(std::strtod(end, &end));
+      next = end + std::strspn(end, space);
+      ++count;
+    } while (*next == ',');
+    rings.sizes.push_back(count);
+    next += 1 + std::strspn(next + 1, space);
   } while (*next == ',');
-  return numbers;
+  return rings;
 }
 
 bool is_empty(const std::string& text) { return text.find('(') == std::string::npos; }
 
 // The same numbers as the text, in doubles, give the same status and the same polygon.
 void check_numbers(const std::string& text, gcv_status status, const gcv_polygon* polygon) {
-  const std::vector<double> numbers = numbers_as_in_c(text);
-  gcv_polygon* out = nullptr;
-  const gcv_status same = gcv_polygon_create(numbers.data(), numbers.size() / 2, 0, &out);
-  const Handle owner(out);
+  gcv_status same = GCV_OK;
+  const Handle out = polygon_of(numbers_as_in_c(text), &same);
   check(same == status, "the numbers of the text give another status");
-  check(out == nullptr || vertices(out) == vertices(polygon), "other numbers than in the text");
+  check(out == nullptr || rings_of(out.get()) == rings_of(polygon),
+        "other numbers than in the text");
 }
 
 void check_numbers_of_polygon(const gcv_polygon* polygon, const std::vector<double>& xy) {
@@ -60,14 +90,14 @@ void check_numbers_of_polygon(const gcv_polygon* polygon, const std::vector<doub
   }
 }
 
-void check_round_trip(const gcv_polygon* polygon, const std::vector<double>& xy) {
-  gcv_polygon* out = nullptr;
-  succeeds("gcv_polygon_create", gcv_polygon_create(xy.data(), xy.size() / 2, 0, &out));
-  const Handle again(out);
-  check(vertices(out) == xy, "the vertices do not go round trip");
+void check_round_trip(const gcv_polygon* polygon, const Rings& rings) {
+  gcv_status status = GCV_OK;
+  const Handle again = polygon_of(rings, &status);
+  succeeds("gcv_polygon_create_rings", status);
+  check(rings_of(again.get()) == rings, "the vertices do not go round trip");
   double area = 0;
   double same = 0;
-  check(gcv_polygon_area(polygon, &area) == gcv_polygon_area(out, &same) && area == same,
+  check(gcv_polygon_area(polygon, &area) == gcv_polygon_area(again.get(), &same) && area == same,
         "the area does not go round trip");
 }
 
@@ -95,7 +125,7 @@ void check_sum(const gcv_polygon* polygon, const std::vector<double>& xy) {
   gcv_polygon* given = nullptr;
   succeeds("gcv_outer_face_polygon", gcv_outer_face_polygon(sum, &given));
   const Handle given_owner(given);
-  check(vertices(read) == vertices(given), "the text of the sum is not the sum");
+  check(rings_of(read) == rings_of(given), "the text of the sum is not the sum");
 }
 
 // The place in the text that the message names.
@@ -127,11 +157,11 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     check_numbers(text, status, polygon);
   }
   if (status == GCV_OK) {
-    const std::vector<double> xy = vertices(polygon);
-    check_numbers_of_polygon(polygon, xy);
-    check_round_trip(polygon, xy);
-    if (xy.size() <= 2 * most_vertices) {
-      check_sum(polygon, xy);
+    const Rings rings = rings_of(polygon);
+    check_numbers_of_polygon(polygon, rings.xy);
+    check_round_trip(polygon, rings);
+    if (rings.xy.size() <= 2 * most_vertices) {
+      check_sum(polygon, rings.xy);
     }
   }
   return 0;

@@ -81,9 +81,9 @@ def calls() -> dict[str, bytes]:
     (
         create, create_wkt, sum_, no_fit, entrance, superset, face_polygon, polygon_numbers,
         face_numbers, polygon_vertices, face_vertices, exact_vertex, edge_sources, wkt, edges,
-        stats, destroy, constants, simplified,
-    ) = range(19)  # fmt: skip
-    all_calls = range(19)
+        stats, destroy, constants, simplified, create_rings, create_many, disc, affine, ring,
+    ) = range(24)  # fmt: skip
+    all_calls = range(24)
 
     def polygon(text: int, slot: int = 0) -> bytes:
         return bytes([create_wkt, text, 1, 1, slot, 1])
@@ -113,6 +113,20 @@ def calls() -> dict[str, bytes]:
             bytes([create, 0, 3, k]) + vertices[1:] + bytes([1, 1]) + made for k in range(12)
         ),
         "texts": b"".join(polygon(text) for text in range(7)),
+        "rings": b"".join(
+            bytes([create, 2, 4]) + b"\x10\x10\x14\x10\x14\x14\x10\x14"
+            + bytes([3]) + b"\x11\x11\x12\x11\x11\x12" + bytes([1, 1]) + tail
+            for create, tail in ((create_rings, bytes([1]) + made), (create_many, b""))
+        )
+        + b"".join(bytes([ring, 0, index, 3, 0]) for index in range(6)),
+        "discs": b"".join(
+            bytes([disc, 16, 17, 18, tolerance, rounding, 1]) + made
+            for tolerance in range(6)
+            for rounding in range(2)
+        ),
+        "maps": ready
+        + bytes([affine, 0, 16, 31, 17, 17, 16, 16, 1, 0, 1, ring, 0, 0, 3, 0])
+        + numbers,
         "numbers": ready + numbers,
         "no_fit": ready + bytes([no_fit, 0, 1]) + options + point + b"\1" + made + numbers,
         "entrance": ready + bytes([entrance, 0, 1]) + options + point + b"\1" + made + numbers,

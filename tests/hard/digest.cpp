@@ -7,7 +7,6 @@
 //   digest           prints them
 //   digest FILE      compares them with the ones in the file
 #include <cstdint>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <iterator>

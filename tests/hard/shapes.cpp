@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "shapes.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <set>
 #include <utility>

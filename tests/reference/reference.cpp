@@ -94,6 +94,34 @@ FractionRing reduced_convolution(std::span<const Point> a, std::span<const Point
   return canonical({outer.vertices_begin(), outer.vertices_end()});
 }
 
+std::vector<FractionRing> holes(std::span<const PointVector> a, std::span<const PointVector> b) {
+  const auto with_holes = [](std::span<const PointVector> rings) {
+    CGAL::Polygon_with_holes_2<Kernel> result;
+    for (const PointVector& ring : rings) {
+      CGAL::Polygon_2<Kernel> boundary = polygon(ring);
+      if (boundary.is_clockwise_oriented() != (&ring != &rings.front())) {
+        boundary.reverse_orientation();
+      }
+      if (&ring == &rings.front()) {
+        result = CGAL::Polygon_with_holes_2<Kernel>(boundary);
+      } else {
+        result.add_hole(boundary);
+      }
+    }
+    return result;
+  };
+  const auto sum = CGAL::minkowski_sum_by_reduced_convolution_2(with_holes(a), with_holes(b));
+  std::vector<FractionRing> rings;
+  for (const auto& hole : sum.holes()) {
+    std::vector<ExactPoint> points(hole.vertices_begin(), hole.vertices_end());
+    if (hole.is_clockwise_oriented()) {
+      std::reverse(points.begin(), points.end());
+    }
+    rings.push_back(canonical(points));
+  }
+  return rings;
+}
+
 bool is_simple(std::span<const Point> ring) { return polygon(ring).is_simple(); }
 
 }  // namespace gcv::reference

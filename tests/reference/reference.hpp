@@ -24,6 +24,11 @@ FractionRing arrangement_outer_face(std::span<const SupersetEdge> superset);
 // no code with the library.
 FractionRing reduced_convolution(std::span<const Point> a, std::span<const Point> b);
 
+// The holes of CGAL's own Minkowski sum, by its reduced convolution, which may miss some that touch
+// others. Likewise counter-clockwise.
+// Polygons are given by their rings, the outer one first, each either way round.
+std::vector<FractionRing> holes(std::span<const PointVector> a, std::span<const PointVector> b);
+
 // CGAL's simplicity test.
 bool is_simple(std::span<const Point> ring);
 

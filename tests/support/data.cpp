@@ -23,7 +23,7 @@ std::optional<std::filesystem::path> data_directory() {
 PointVector read_polygon(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_polygon(text, file.c_str());
+  return parse_polygon(text, file.c_str()).front();
 }
 
 std::vector<NamedPair> read_pairs(const std::filesystem::path& directory) {

@@ -101,6 +101,17 @@ Ring random_spiky_star(Random& random, int vertices) {
   return ring;
 }
 
+Ring block_with_slits(int slits, double width, double slant) {
+  const double right = 5.0 * slits + 5;
+  Ring ring{{0, 0}, {right, 0}, {right, 8}};
+  for (int k = slits; k > 0; --k) {
+    const double x = 4 * k + k / 7.0;
+    ring.insert(ring.end(), {{x + width, 8}, {x + slant + width, 2}, {x + slant, 2}, {x, 8}});
+  }
+  ring.push_back({0, 8});
+  return ring;
+}
+
 Ring negated(Ring ring) {
   for (Point& p : ring) {
     p = {0.0 - p.x, 0.0 - p.y};

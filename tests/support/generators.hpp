@@ -4,9 +4,7 @@
 // through integers, so that a seed gives the same polygons everywhere.
 #pragma once
 
-#include <cstdint>
 #include <random>
-#include <vector>
 
 #include "point.hpp"
 
@@ -27,6 +25,10 @@ Ring random_histogram(Random& random, int columns, int extent);
 
 // A star-shaped polygon whose radii alternate between long and short.
 Ring random_spiky_star(Random& random, int vertices);
+
+// A block, 8 high, with slits from its top to 2 above its base, which lie `slant` further to the
+// right at their ends. The slits are 4 1/7 apart.
+Ring block_with_slits(int slits, double width, double slant);
 
 // { -p : p in ring }
 Ring negated(Ring ring);

@@ -10,9 +10,7 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
 #include "exact_geometry.hpp"

@@ -2,13 +2,13 @@
 #include <gcv/gcv.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "exact_containment.hpp"
 #include "exact_geometry.hpp"
 #include "handles.hpp"
 #include "invariants.hpp"
@@ -36,26 +36,6 @@ std::string in_words(double tolerance, std::int32_t rounding) {
   std::ostringstream words;
   words << "tolerance " << tolerance << (rounding == GCV_ROUND_OUTWARD ? ", outward" : ", nearest");
   return words.str();
-}
-
-// No point of `inner` is outside `outer`, both counter-clockwise.
-bool contains(const Ring& outer, const Ring& inner, std::size_t samples) {
-  for (const std::size_t k : sample(inner.size(), samples)) {
-    if (location(outer, inner[k]) < 0) {
-      return false;
-    }
-  }
-  for (const std::size_t k : sample(outer.size(), samples)) {
-    if (location(inner, outer[k]) > 0) {
-      return false;
-    }
-  }
-  bool cross = false;
-  for_each_overlap(edge_boxes(outer), edge_boxes(inner), [&](std::size_t i, std::size_t j) {
-    cross = segments_cross(outer[i], next(outer, i), inner[j], next(inner, j));
-    return !cross;
-  });
-  return !cross;
 }
 
 // Is each of the points in the ring or within the distance of it?

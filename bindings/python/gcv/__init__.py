@@ -10,17 +10,16 @@ outside Python's global lock. They can be pickled, and travel to other processes
 
 from ._call import Progress, Rounding
 from ._ffi import Error, InputError
-from ._shapes import (
+from ._outer_face import (
     EDGE_CORNER,
     EDGE_TRANSLATED,
     EDGE_TRANSLATED_CORNER,
     EdgeSource,
     OuterFace,
-    Polygon,
-    PolygonLike,
-    Simplified,
     Stats,
 )
+from ._polygon import Polygon, Simplified
+from ._sources import PolygonLike
 from ._sums import (
     SupersetEdge,
     entrance_block,
@@ -54,4 +53,4 @@ __all__ = [
     "superset",
 ]
 
-__version__ = "0.1.0"
+__version__ = "0.2.0"

@@ -23,8 +23,8 @@ def main(arguments: Optional[list[str]] = None) -> int:
     try:
         face = _compute(options)
         if options.svg is not None:
-            options.svg.write_text(svg([face._points(), *options.drawn]) + "\n")
-    except (gcv.Error, OSError, UnicodeDecodeError) as error:
+            options.svg.write_text(svg([face._ring_points(), *options.drawn]) + "\n")
+    except (gcv.Error, OSError) as error:
         print(f"gcv: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
@@ -38,7 +38,7 @@ def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m gcv",
         description="Prints the outer face of the Minkowski sum A + B as Well-Known Text. "
-        "A and B are files of Well-Known Text, each with one POLYGON.",
+        "A and B are files of Well-Known Text or GeoJSON, each with one polygon.",
     )
     parser.add_argument("a", type=Path, metavar="A.wkt")
     parser.add_argument("b", type=Path, metavar="B.wkt")
@@ -67,7 +67,7 @@ def _parser() -> argparse.ArgumentParser:
 
 def _compute(options: argparse.Namespace) -> gcv.OuterFace:
     a, b = _read(options.a), _read(options.b)
-    options.drawn = [a._points(), b._points()]
+    options.drawn = [a._ring_points(), b._ring_points()]
     with _progress_bar() as progress:
         if options.no_fit is not None:
             return gcv.no_fit_polygon(
@@ -91,7 +91,7 @@ def _compute(options: argparse.Namespace) -> gcv.OuterFace:
 
 def _read(file: Path) -> gcv.Polygon:
     try:
-        return gcv.Polygon(file.read_text())
+        return gcv.Polygon(file)
     except gcv.Error as error:
         raise type(error)(error.status, f"{file}: {error}") from None
 

@@ -1,68 +1,224 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The vertices of whatever a polygon can be made from, as doubles x0 y0 x1 y1 ..."""
+"""The rings of whatever a polygon can be made from, as doubles x0 y0 x1 y1 ..."""
 
 from __future__ import annotations
 
+import json
 import re
+import reprlib
+import struct
 import sys
 from array import array
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from itertools import accumulate
 from typing import Any, Optional
 
+from ._ffi import INVALID_ARGUMENT, NOT_FINITE, PARSE, InputError
+
 _DOUBLE_FORMATS = ("d", ("<" if sys.byteorder == "little" else ">") + "d")
+_VERTEX_BYTES = 16
+
+Points = list[tuple[float, float]]
+
+Rings = list[bytes]
+"""The rings of a polygon as passed, each as doubles: the outer one first, then the holes."""
 
 
-def coordinates(source: Any) -> bytes:
-    """The coordinates of a buffer, a geometry, or a sequence of pairs.
+def size(ring: bytes) -> int:
+    """The number of vertices of a ring."""
+    return len(ring) // _VERTEX_BYTES
 
-    Raises TypeError or ValueError for anything else.
+
+def split(doubles: bytes, sizes: Iterable[int]) -> list[bytes]:
+    """The rings of these numbers of vertices that follow one another."""
+    ends = [0, *accumulate(vertices * _VERTEX_BYTES for vertices in sizes)]
+    return [doubles[start:end] for start, end in zip(ends, ends[1:])]
+
+
+def points(doubles: bytes) -> Points:
+    return list(struct.iter_unpack("dd", doubles))
+
+
+def ring_in_buffer(source: Any) -> Optional[bytes]:
+    """The ring in a buffer of pairs of doubles; None for other sources."""
+    view = _buffer(source)
+    if view is None:
+        return None
+    if view.nbytes % _VERTEX_BYTES != 0 or (view.shape or ())[1:] not in ((), (2,)):
+        raise _invalid(f"a buffer of shape {view.shape} does not hold pairs of doubles")
+    return view.tobytes()
+
+
+def rings_of(source: Any) -> Rings:
+    """The rings of a geometry, or of a sequence of pairs.
+
+    Raises InputError for anything else.
     """
-    in_buffer = _from_buffer(source)
-    if in_buffer is not None:
-        return in_buffer
     geometry = getattr(source, "__geo_interface__", source)
-    return _from_pairs(_outer_ring(geometry) if isinstance(geometry, Mapping) else source)
+    if isinstance(geometry, Mapping):
+        rings = _rings_of_geometry(geometry)
+        return [_from_pairs(ring, k, elevations=True) for k, ring in enumerate(rings)]
+    return [_from_pairs(source)]
 
 
-def coordinates_of_wkt(text: str) -> bytes:
-    """The coordinates of the outer ring of a polygon that the library has accepted."""
-    ring = re.search(r"\(\s*\(([^()]*)\)", text)
-    return array("d", map(float, re.findall(r"[^\s,]+", ring[1] if ring else ""))).tobytes()
+def rings_of_many(source: Any) -> Optional[list[bytes]]:
+    """The rings in a buffer of shape (n, k, 2), one a polygon; None for other sources."""
+    view = _buffer(source)
+    if view is None or view.ndim != 3 or (view.shape or ())[2:] != (2,):
+        return None
+    count, vertices, _ = view.shape or ()
+    return split(view.tobytes(), [vertices] * count)
 
 
-def _from_buffer(source: Any) -> Optional[bytes]:
-    """The doubles in a buffer of any strides; None where there is no such buffer."""
+def geometry_of_text(text: bytes) -> Optional[Any]:
+    """What GeoJSON text says; None for text of another kind."""
+    if not text.lstrip().startswith(b"{"):
+        return None
+    try:
+        return json.loads(text)
+    except ValueError as error:
+        raise InputError(PARSE, f"polygon: GeoJSON text: {error}") from None
+
+
+def without_elevations(text: bytes) -> bytes:
+    """Well-Known Text with blanks for the Z and M of a POLYGON and for their numbers.
+
+    Every other byte stays where it is.
+    """
+    tag = re.match(rb"\s*POLYGON\s*(ZM|Z|M)\s*(?=\(|EMPTY)", text, re.IGNORECASE)
+    if not tag:
+        return text
+    start, end = tag.span(1)
+    count = end - start
+    elevations = rb"(?:\s+[-+.\w]+){%d}" % count
+    return re.sub(
+        rb"([(,]\s*[-+.\w]+\s+[-+.\w]+)(" + elevations + rb")(?=\s*[,)])",
+        lambda vertex: vertex[1] + b" " * len(vertex[2]),
+        text[:start] + b" " * count + text[end:],
+    )
+
+
+def rings_of_wkt(text: bytes) -> Rings:
+    """The rings of a polygon that the library has accepted."""
+    rings = re.findall(rb"\(([^()]*)\)", text)
+    return [array("d", map(float, re.findall(rb"[^\s,]+", ring))).tobytes() for ring in rings]
+
+
+def number(value: Any, name: str) -> float:
+    """The value as a float, which the argument of that name should be."""
+    (as_float,) = numbers((value,), 1, name, value, "a number")
+    return as_float
+
+
+def pair(value: Any, name: str) -> tuple[float, float]:
+    """The value as (x, y), which the argument of that name should be."""
+    x, y = numbers(value, 2, name, value, "a pair of numbers")
+    return x, y
+
+
+def numbers(values: Iterable[Any], count: int, name: str, value: object, what: str) -> array[float]:
+    """The values, which should be so many numbers, as floats; value is what the caller passed."""
+    doubles = array("d")
+    try:
+        doubles.extend(tuple(values))
+    except OverflowError:
+        raise _too_large(name, value) from None
+    except (TypeError, ValueError):
+        raise unfit(name, value, what) from None
+    if len(doubles) != count:
+        raise unfit(name, value, what)
+    return doubles
+
+
+def unfit(name: str, value: object, what: str) -> InputError:
+    """The error for a value that is not what it should be."""
+    return InputError(INVALID_ARGUMENT, f"{name}: {_short(value)} is not {what}")
+
+
+def _too_large(name: str, value: object) -> InputError:
+    return InputError(
+        NOT_FINITE, f"{name}: {_short(value)} is not a number that a finite float can be near to"
+    )
+
+
+def _short(value: object) -> str:
+    """The value in a message."""
+    try:
+        return " ".join(reprlib.repr(value).split())
+    except ValueError:  # an integer with more digits than Python writes
+        return f"an object of type {type(value).__name__}"
+
+
+def _invalid(message: str) -> InputError:
+    return InputError(INVALID_ARGUMENT, f"polygon: {message}")
+
+
+def _buffer(source: Any) -> Optional[memoryview]:
+    """The buffer of a source that holds doubles; None where there is no such buffer.
+
+    Refuses arrays some elements of which are masked: what lies behind a mask is no data.
+    """
+    any_masked = getattr(getattr(source, "mask", None), "any", None)
+    if any_masked is not None and any_masked():
+        raise _invalid("some elements of the array are masked; leave them out first")
     try:
         view = memoryview(source)
     except TypeError:
         return None
-    if view.format not in _DOUBLE_FORMATS:
-        return None
-    if view.nbytes % 16 != 0 or (view.shape or ())[1:] not in ((), (2,)):
-        raise ValueError(f"a buffer of shape {view.shape} does not hold pairs of doubles")
-    return view.tobytes()
+    return view if view.format in _DOUBLE_FORMATS else None
 
 
-def _outer_ring(geometry: Mapping[str, Any]) -> Iterable[Iterable[float]]:
-    """The outer ring of a GeoJSON object, without elevations."""
-    kind = geometry.get("type")
+def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
+    """The rings of a GeoJSON object."""
+    kind = geometry.get("type") if isinstance(geometry, Mapping) else None
     if kind == "Feature":
-        return _outer_ring(geometry["geometry"])
-    if kind == "Polygon":
-        rings = geometry["coordinates"]
-        return [position[:2] for position in rings[0]] if rings else []
+        return _rings_of_geometry(geometry.get("geometry"))
+    if kind == "FeatureCollection":
+        return _rings_of_geometry(_only(geometry.get("features"), "FeatureCollection"))
+    coordinates = geometry.get("coordinates") if isinstance(geometry, Mapping) else None
+    if kind == "MultiPolygon":
+        return _sequence(_only(coordinates, "MultiPolygon")) or [()]
     if kind == "LinearRing":
-        return [position[:2] for position in geometry["coordinates"]]
-    raise ValueError(f"a geometry of type {kind!r} is not a polygon")
+        return [_sequence(coordinates)]
+    if kind == "Polygon":
+        return _sequence(coordinates) or [()]
+    if kind is None:
+        raise _invalid(f"{_short(geometry)} is not a geometry")
+    raise _invalid(f"a geometry of type {kind!r} is not a polygon")
 
 
-def _from_pairs(source: Iterable[Iterable[float]]) -> bytes:
+def _only(parts: Any, kind: str) -> Any:
+    parts = _sequence(parts)
+    if len(parts) != 1:
+        raise _invalid(f"a {kind} of {len(parts)} parts is not one polygon")
+    return parts[0]
+
+
+def _sequence(value: Any) -> Sequence[Any]:
+    if not isinstance(value, Sequence) or isinstance(value, str):
+        raise _invalid(f"{_short(value)} in a geometry is not a list")
+    return value
+
+
+def _from_pairs(source: Iterable[Any], ring: int = 0, *, elevations: bool = False) -> bytes:
     doubles = array("d")
-    for index, vertex in enumerate(source):
+    try:
+        vertices = enumerate(source)
+    except TypeError:
+        what = "a polygon, and none can be made from it"
+        raise unfit("polygon", source, what) from None
+    for index, vertex in vertices:
         try:
-            x, y = vertex
-            doubles.extend((x, y))
+            x, y = vertex[:2] if elevations else vertex
+            doubles.append(x)
+            doubles.append(y)
         except (TypeError, ValueError):
-            raise TypeError(f"vertex {index} is not a pair of numbers: {vertex!r}") from None
+            raise unfit(_vertex(index, ring), vertex, "a pair of numbers") from None
+        except OverflowError:
+            raise _too_large(_vertex(index, ring), vertex) from None
     return doubles.tobytes()
+
+
+def _vertex(index: int, ring: int) -> str:
+    return f"polygon: vertex {index}" + (f" of ring {ring}" if ring else "")

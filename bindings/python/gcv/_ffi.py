@@ -29,7 +29,20 @@ FUNCTIONS: dict[str, Any] = {}
 """Every function of the library that is declared here, by its name in C."""
 
 
+_NEW_IN_0_2 = {
+    "gcv_polygon_create_rings",
+    "gcv_polygon_create_many",
+    "gcv_polygon_create_disc",
+    "gcv_polygon_affine",
+    "gcv_polygon_ring_count",
+    "gcv_polygon_ring",
+    "gcv_options_init_size",
+}
+
+
 def _declare(name: str, restype: Any, *argtypes: Any) -> Any:
+    if name in _NEW_IN_0_2 and not hasattr(_library, name):
+        return _Missing(name)
     function = getattr(_library, name)
     function.argtypes = argtypes
     function.restype = restype
@@ -37,9 +50,24 @@ def _declare(name: str, restype: Any, *argtypes: Any) -> Any:
     return function
 
 
+class _Missing:
+    """In place of a function that the library does not have, for it is too old."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+
+    def __call__(self, *_arguments: object) -> NoReturn:
+        version: bytes = version_string()
+        raise NotImplementedError(
+            f"{self.name} came with libgcv 0.2; the library that is running is {version.decode()}"
+        )
+
+
 # ----------------------------------------------------------------- status --
 
+INVALID_ARGUMENT = 2
 NOT_FINITE = 3
+PARSE = 8
 ROUNDINGS = {"nearest": 0, "outward": 1}
 
 version_number = _declare("gcv_version_number", c_uint32)
@@ -77,17 +105,26 @@ class InputError(Error, ValueError):
 
 
 _INPUT_STATUSES = {
-    2,  # GCV_ERR_INVALID_ARGUMENT
+    INVALID_ARGUMENT,
     NOT_FINITE,
     4,  # GCV_ERR_DEGENERATE
     5,  # GCV_ERR_NOT_SIMPLE
-    8,  # GCV_ERR_PARSE
+    PARSE,
 }
 
 
 def error(status: int, message: str) -> Error:
     """The exception for a status other than 0."""
     return (InputError if status in _INPUT_STATUSES else Error)(status, message)
+
+
+def named(error: Error, name: str) -> Error:
+    """The same failure, of the polygon of that name."""
+    reason = str(error)
+    prefix = "polygon: "
+    if reason.startswith(prefix):
+        reason = reason[len(prefix) :]
+    return type(error)(error.status, f"{name}: {reason}")
 
 
 def last_error_message() -> str:
@@ -139,6 +176,7 @@ class Superset(_Handle):
 
 Point = c_double * 2
 Box = c_double * 4
+Matrix = c_double * 6
 Progress = CFUNCTYPE(c_int32, c_void_p, c_uint64, c_uint64)
 
 
@@ -195,6 +233,19 @@ _face = POINTER(OuterFace)
 
 polygon_create = _function("gcv_polygon_create", c_void_p, c_size_t, c_size_t, _polygon)
 polygon_create_wkt = _function("gcv_polygon_create_wkt", c_char_p, c_size_t, _polygon)
+polygon_create_rings = _function(
+    "gcv_polygon_create_rings", c_void_p, _size, c_size_t, c_size_t, _polygon
+)
+polygon_create_many = _function(
+    *("gcv_polygon_create_many", c_void_p, _size, c_size_t, c_size_t),
+    *(POINTER(c_void_p), POINTER(c_int32)),
+)
+polygon_create_disc = _function(
+    "gcv_polygon_create_disc", _double, c_double, c_double, c_int32, _polygon
+)
+polygon_affine = _function("gcv_polygon_affine", Polygon, _double, _polygon)
+polygon_ring_count = _function("gcv_polygon_ring_count", Polygon, _size)
+polygon_ring = _function("gcv_polygon_ring", Polygon, c_size_t, *_buffer)
 polygon_vertex_count = _function("gcv_polygon_vertex_count", Polygon, _size)
 polygon_vertices = _function("gcv_polygon_vertices", Polygon, *_buffer)
 polygon_area = _function("gcv_polygon_area", Polygon, _double)
@@ -204,6 +255,7 @@ polygon_simplified = _function(
 )
 
 options_init = _declare("gcv_options_init", None, _options)
+options_init_size = _declare("gcv_options_init_size", None, _options, c_uint32)
 
 minkowski_sum = _function("gcv_minkowski_sum", Polygon, Polygon, _options, _face)
 minkowski_sum_many = _function(

@@ -10,7 +10,10 @@ from typing import Any, Literal, NamedTuple, Optional, Union, overload
 
 from . import _ffi
 from ._call import Progress, Rounding, run
-from ._shapes import EdgeSource, OuterFace, Polygon, PolygonLike, as_polygon
+from ._coordinates import pair, size
+from ._outer_face import EdgeSource, OuterFace
+from ._polygon import Polygon, as_polygon
+from ._sources import PolygonLike
 
 
 class SupersetEdge(NamedTuple):
@@ -59,7 +62,7 @@ def minkowski_sum(
     the result is not a finite float, or where the result is so small that in floats
     it has no area.
     """
-    a, b = as_polygon(a), as_polygon(b)
+    a, b = as_polygon(a, "a"), as_polygon(b, "b")
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.minkowski_sum(a._handle, b._handle, options, face),
@@ -81,14 +84,21 @@ def no_fit_polygon(
     """The no-fit polygon fixed + (-moving) + reference.
 
     It is where the point reference, (x, y) and tied to moving, may go while the two
-    polygons touch: inside the ring they overlap, on it they touch, outside they are
-    apart. The reference is added exactly, before rounding. In the sources, a is a
-    number of fixed and b one of moving.
+    polygons touch. The reference is added exactly, before rounding. In the sources, a is
+    a number of fixed and b one of moving.
+
+    With the point outside the exact ring the two polygons are apart. On the ring they
+    touch and do not overlap. Inside the ring they overlap, but not everywhere: in a hole
+    of the sum they are apart. In a slit without width and at a single free point, as
+    where one polygon just fits the other, they touch and do not overlap. The ring has
+    none of these positions, unless a gap connects them with the outside, however narrow,
+    in the floats passed in.
 
     Options, exactness and errors are those of minkowski_sum; a reference that is not
     finite raises InputError.
     """
-    fixed, moving, point = as_polygon(fixed), as_polygon(moving), _point(reference)
+    fixed, moving = as_polygon(fixed, "fixed"), as_polygon(moving, "moving")
+    point = _ffi.Point(*pair(reference, "reference"))
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.no_fit_polygon(fixed._handle, moving._handle, point, options, face),
@@ -114,7 +124,7 @@ def entrance_block(
 
     Options, exactness and errors are those of no_fit_polygon.
     """
-    a, b, point = as_polygon(a), as_polygon(b), _point(a0)
+    a, b, point = as_polygon(a, "a"), as_polygon(b, "b"), _ffi.Point(*pair(a0, "a0"))
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.entrance_block(a._handle, b._handle, point, options, face),
@@ -165,34 +175,44 @@ def minkowski_sum_many(
     over the threads. A polygon that occurs more than once is best made a Polygon first,
     for whatever else is made one at each occurrence.
 
-    A pair that cannot be summed leaves the others as they are. With return_errors its
-    Error takes the place of the outer face; otherwise the first such Error is raised.
-    The text of the first one names the pair and the reason.
+    A pair that cannot be summed leaves the others as they are, be it for a source that
+    is no polygon. With return_errors its Error takes the place of the outer face;
+    otherwise the first such Error is raised, one for a source that is no polygon before
+    any other. The text of an Error for a source names it, as in "a[2]"; the text of the
+    first other one names the pair and the reason.
 
     Raises as Polygon does, InputError for an option, and ValueError where a and b are
     not equally many.
     """
-    first, second = [as_polygon(p) for p in a], [as_polygon(p) for p in b]
-    count = len(first)
-    if len(second) != count:
-        raise ValueError(f"a has {count} polygons, b has {len(second)}")
+    first = [_polygon_or_error(p, f"a[{k}]", return_errors) for k, p in enumerate(a)]
+    second = [_polygon_or_error(p, f"b[{k}]", return_errors) for k, p in enumerate(b)]
+    if len(first) != len(second):
+        raise ValueError(f"a has {len(first)} polygons, b has {len(second)}")
+    results: list[Any] = [p if isinstance(p, _ffi.Error) else q for p, q in zip(first, second)]
+    pairs = [
+        (k, p, q)
+        for k, (p, q) in enumerate(zip(first, second))
+        if isinstance(p, Polygon) and isinstance(q, Polygon)
+    ]
+    count = len(pairs)
     faces = (c_void_p * count)()
     statuses = (c_int32 * count)()
 
     def call(options: Any) -> str:
-        handles = _handles(first), _handles(second)
+        handles = _handles([p for _, p, _ in pairs]), _handles([q for _, _, q in pairs])
         _ffi.minkowski_sum_many(*handles, count, options, faces, statuses)
         return _ffi.last_error_message()
 
-    pairs = sum(map(_pairs, first, second))
+    vertex_pairs = sum(_pairs(p, q) for _, p, q in pairs)
     try:
-        message = run(call, pairs, rounding, tolerance, threads, progress)
+        message = run(call, vertex_pairs, rounding, tolerance, threads, progress)
     finally:
         owned = [OuterFace(_ffi.OuterFace(face), {}) for face in faces]
-    results: list[Union[OuterFace, _ffi.Error]] = list(owned)
-    for k, status in enumerate(statuses):
+    for tried, ((k, _, _), face, status) in enumerate(zip(pairs, owned, statuses)):
+        results[k] = face
         if status != 0:
-            error = _ffi.error(status, message or f"pair {k} alone says why it fails")
+            reason = message.replace(f"pair {tried}:", f"pair {k}:", 1)
+            error = _ffi.error(status, reason or f"pair {k} alone says why it fails")
             if not return_errors:
                 raise error
             results[k] = error
@@ -210,7 +230,8 @@ def superset(a: PolygonLike, b: PolygonLike) -> list[SupersetEdge]:
     Raises as Polygon does, and Error where a coordinate is not a finite float.
     """
     handle = _ffi.Superset()
-    _ffi.superset_create(as_polygon(a)._handle, as_polygon(b)._handle, byref(handle))
+    a, b = as_polygon(a, "a"), as_polygon(b, "b")
+    _ffi.superset_create(a._handle, b._handle, byref(handle))
     return [
         SupersetEdge(
             (edge.x0, edge.y0),
@@ -227,15 +248,21 @@ def library_version() -> str:
     return version.decode()
 
 
+def _polygon_or_error(
+    source: PolygonLike, name: str, return_error: bool
+) -> Union[Polygon, _ffi.Error]:
+    try:
+        return as_polygon(source, name)
+    except _ffi.Error as error:
+        if not return_error:
+            raise
+        return error
+
+
 def _pairs(a: Polygon, b: Polygon) -> int:
-    """The number of pairs of a vertex of a and one of b."""
-    return (len(a._given) // 16) * (len(b._given) // 16)
+    """The number of pairs of a vertex of a and one of b, of their outer rings."""
+    return size(a._given[0]) * size(b._given[0])
 
 
 def _handles(polygons: list[Polygon]) -> Any:
     return (c_void_p * len(polygons))(*(polygon._handle.value for polygon in polygons))
-
-
-def _point(pair: Iterable[float]) -> Any:
-    x, y = pair
-    return _ffi.Point(x, y)

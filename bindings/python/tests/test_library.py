@@ -139,3 +139,42 @@ assert face.vertices == [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], face.vertices
 assert face.polygon.vertices == face.vertices
 """
     subprocess.run([sys.executable, "-c", program], check=True)
+
+
+def test_with_version_0_1(tmp_path: Path) -> None:
+    """A library without the functions of 0.2 serves all but what needs them."""
+    program = f"""
+import ctypes
+class Old(ctypes.CDLL):
+    def __getattr__(self, name):
+        if name in {sorted(_ffi._NEW_IN_0_2)}:
+            raise AttributeError(name)
+        return super().__getattr__(name)
+ctypes.CDLL = Old
+import pickle
+import gcv
+ring = [(0, 0), (9, 0), (0, 9)]
+hole = [(1, 1), (2, 1), (1, 2)]
+polygon = pickle.loads(pickle.dumps(gcv.Polygon(ring)))
+assert (polygon + -polygon).area == 243
+assert [polygon.area, polygon.ring_count, polygon.holes] == [40.5, 1, []]
+assert gcv.Polygon(polygon.wkt) == polygon.simplified(0).polygon == polygon
+text = "POLYGON ((0 0, 9 0, 0 9), (1 1, 2 1, 1 2))"
+for call, name in [
+    (lambda: gcv.Polygon(ring, [hole]), "gcv_polygon_create_rings"),
+    (lambda: gcv.Polygon(text), "gcv_polygon_ring_count"),
+    (lambda: gcv.Polygon.many([ring]), "gcv_polygon_create_many"),
+    (lambda: gcv.Polygon.disc((0, 0), 1, 0.1), "gcv_polygon_create_disc"),
+    (lambda: polygon.affine((1, 0, 0, 0, 1, 0)), "gcv_polygon_affine"),
+]:
+    try:
+        call()
+    except NotImplementedError as error:
+        version = gcv.library_version()
+        assert str(error) == (
+            f"{{name}} came with libgcv 0.2; the library that is running is {{version}}"
+        )
+    else:
+        raise AssertionError(name)
+"""
+    subprocess.run([sys.executable, "-c", program], check=True, cwd=tmp_path)

@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -12,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 from matplotlib import pyplot
 from matplotlib.patches import Polygon as Patch
-from shapes import NOTCHED, SQUARE, TRIANGLE, scaled
+from shapes import NOTCHED, SQUARE, TRIANGLE, Points, scaled
 
 import gcv
 from gcv._drawing import svg
@@ -21,13 +22,15 @@ pyplot.switch_backend("Agg")
 
 
 def corners(picture: str) -> list[list[tuple[float, float]]]:
-    """The corners of the paths in a picture, all of which must lie in its view box."""
+    """The corners of the rings in a picture, all of which must lie in its view box."""
     root = ElementTree.fromstring(picture)
     _, _, width, height = map(float, root.attrib["viewBox"].split())
     rings = []
     for path in root:
-        words = path.attrib["d"].strip("MZ").split("L")
-        rings.append([(float(w.split()[0]), float(w.split()[1])) for w in words])
+        assert path.attrib["fill-rule"] == "evenodd"
+        for ring in path.attrib["d"].strip("MZ").split("ZM"):
+            words = ring.split("L")
+            rings.append([(float(w.split()[0]), float(w.split()[1])) for w in words])
     assert all(10 <= x <= width - 10 and 10 <= y <= height - 10 for r in rings for x, y in r)
     return rings
 
@@ -36,7 +39,8 @@ def test_svg() -> None:
     assert corners(gcv.Polygon(SQUARE)._repr_svg_()) == [
         [(10, 410), (410, 410), (410, 10), (10, 10)],
     ]
-    ring, square = corners(svg([[(0, 0), (4, 0), (0, 2)], SQUARE]))
+    triangle: Points = [(0, 0), (4, 0), (0, 2)]
+    ring, square = corners(svg([[triangle], [SQUARE]]))
     assert ring == [(10, 210), (410, 210), (10, 10)]
     assert square == [(10, 210), (110, 210), (110, 110), (10, 110)]
 
@@ -84,6 +88,17 @@ def test_program(tmp_path: Path) -> None:
     face = gcv.minkowski_sum(NOTCHED, TRIANGLE)
     assert (run.stdout, run.stderr, run.returncode) == (face.wkt + "\n", "", 0)
     assert [len(r) for r in corners((tmp_path / "out.svg").read_text())] == [len(face), 5, 3]
+
+
+def test_program_with_holes_and_geojson(tmp_path: Path) -> None:
+    plate = gcv.Polygon(NOTCHED, [[(1, 1), (2, 1), (1, 2)]])
+    (tmp_path / "plate.json").write_text(json.dumps(plate.__geo_interface__))
+    run = program(tmp_path, "plate.json", "b.wkt", "--svg", "out.svg")
+    face = gcv.minkowski_sum(NOTCHED, TRIANGLE)
+    assert (run.stdout, run.stderr, run.returncode) == (face.wkt + "\n", "", 0)
+    assert [len(r) for r in corners((tmp_path / "out.svg").read_text())] == [len(face), 5, 3, 3]
+    (tmp_path / "latin.wkt").write_bytes(b"\xff")
+    assert "byte 0: expected POLYGON" in program(tmp_path, "latin.wkt", "b.wkt").stderr
 
 
 def test_program_options(tmp_path: Path) -> None:

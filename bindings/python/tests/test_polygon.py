@@ -5,12 +5,14 @@
 from __future__ import annotations
 
 import copy
+import json
 import math
 import pickle
 from array import array
 from collections.abc import Mapping
 from ctypes import c_double
 from fractions import Fraction
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,7 @@ HOLE = [(0.25, 0.25), (0.25, 0.75), (0.75, 0.75), (0.75, 0.25)]
 FLAT = array("d", [c for vertex in SQUARE for c in vertex])
 ARRAY = np.array(SQUARE)
 GEOMETRY = {"type": "Polygon", "coordinates": [[*SQUARE, SQUARE[0]], HOLE]}
+FEATURE = {"type": "Feature", "properties": {}, "geometry": GEOMETRY}
 
 
 class Geometry:
@@ -53,10 +56,19 @@ SOURCES: dict[str, Any] = {
     "shapely": shapely.Polygon(SQUARE, [HOLE]),
     "shapely ring": shapely.LinearRing(SQUARE),
     "shapely with elevations": shapely.Polygon([(x, y, 7) for x, y in SQUARE]),
+    "shapely of one part": shapely.MultiPolygon([shapely.Polygon(SQUARE)]),
     "geo interface": Geometry(GEOMETRY),
-    "feature": Geometry({"type": "Feature", "properties": {}, "geometry": GEOMETRY}),
+    "feature": Geometry(FEATURE),
+    "collection": {"type": "FeatureCollection", "features": [FEATURE]},
     "mapping": GEOMETRY,
     "text": "Polygon((0 0, 1 0, 1 1, 0 1, 0 0), (.25 .25, .25 .75, .75 .75))",
+    "text with elevations": "POLYGON Z((0 0 1, 1 0 -1e5, 1 1 nan, 0 1 7))",
+    "text with measures": " polygonzm ( (0 0 1 2,1 0 1 2,1 1 3 4,0 1 7 0 ) )",
+    "text of shapely": shapely.Polygon([(x, y, 7) for x, y in SQUARE]).wkt,
+    "bytes": b"POLYGON ((0 0, 1 0, 1 1, 0 1))",
+    "GeoJSON": json.dumps(GEOMETRY),
+    "GeoJSON bytes": b" " + json.dumps({"type": "Feature", "geometry": GEOMETRY}).encode(),
+    "array without a mask": np.ma.masked_equal(SQUARE, 7),
     "polygon": gcv.Polygon(SQUARE),
     "outer face": gcv.minkowski_sum(ARRAY / 2, ARRAY / 2),
 }
@@ -70,29 +82,64 @@ def test_source(name: str) -> None:
     assert pickle.loads(pickle.dumps(polygon)) == polygon
 
 
-@pytest.mark.parametrize(
-    "source", [5, None, [1, 2, 3], [(0, 0, 0)], ["ab", "cd", "ef"], b"POLYGON EMPTY", object()]
-)
-def test_not_pairs(source: Any) -> None:
-    with pytest.raises(TypeError):
-        gcv.Polygon(source)
+LINE = shapely.LineString(SQUARE)
+HUGE_NUMBER = 10**5000
 
 
 @pytest.mark.parametrize(
-    "source",
+    ("source", "reason"),
     [
-        array("d", [0, 0, 1]),
-        memoryview(bytes(96)).cast("d", [4, 3]),
-        np.zeros((4, 2, 2)),
-        np.float64(1),
-        shapely.Point(1, 2),
-        shapely.MultiPolygon([shapely.Polygon(SQUARE)]),
-        {"coordinates": SQUARE},
+        (5, "5 is not a polygon, and none can be made from it"),
+        (None, "None is not a polygon, and none can be made from it"),
+        (object(), "<object .*> is not a polygon, .*"),
+        ([1, 2, 3], "vertex 0: 1 is not a pair of numbers"),
+        ([(0, 0, 0)], r"vertex 0: \(0, 0, 0\) is not a pair of numbers"),
+        (["ab", "cd", "ef"], "vertex 0: 'ab' is not a pair of numbers"),
+        ([(0, 0), None], "vertex 1: None is not a pair of numbers"),
+        ([(0, 0), (10**400, 0)], r"vertex 1: \(100.*\) is not a number that a finite float .*"),
+        ([(0, HUGE_NUMBER)], "vertex 0: an object of type tuple is not a number .*"),
+        (array("d", [0, 0, 1]), r"a buffer of shape \(3,\) does not hold pairs of doubles"),
+        (memoryview(bytes(96)).cast("d", [4, 3]), "a buffer of shape .* does not hold pairs .*"),
+        (np.zeros((4, 2, 2)), "a buffer of shape .* does not hold pairs of doubles"),
+        (np.float64(1), "a buffer of shape .* does not hold pairs of doubles"),
+        (shapely.Point(1, 2), "a geometry of type 'Point' is not a polygon"),
+        (LINE, "a geometry of type 'LineString' is not a polygon"),
+        (
+            shapely.MultiPolygon([shapely.box(0, 0, 1, 1), shapely.box(2, 0, 3, 1)]),
+            "a MultiPolygon of 2 parts is not one polygon",
+        ),
+        (shapely.MultiPolygon(), "a MultiPolygon of 0 parts is not one polygon"),
+        ({"coordinates": SQUARE}, "{'coordinates': .*} is not a geometry"),
+        ({"type": "Polygon"}, "None in a geometry is not a list"),
+        ({"type": "Polygon", "coordinates": [5]}, "5 is not a polygon, .*"),
+        ({"type": "Polygon", "coordinates": [[5]]}, "vertex 0: 5 is not a pair of numbers"),
+        (
+            {"type": "Polygon", "coordinates": [SQUARE, [(0, 0), (1,)]]},
+            r"vertex 1 of ring 1: \(1,\) is not a pair of numbers",
+        ),
+        ({"type": "Feature", "geometry": None}, "None is not a geometry"),
+        (
+            {"type": "FeatureCollection", "features": []},
+            "a FeatureCollection of 0 parts is not one polygon",
+        ),
+        ("MULTIPOLYGON (((0 0, 1 0, 1 1)))", "byte 0: expected POLYGON, found 'MULTIPOLYGON'"),
+        ('{"type": "Polygon"', "GeoJSON text: .*"),
+        (b"\x01\x03\x00", "byte 0: expected POLYGON, found byte 0x01"),
+        ("\ud800", r"byte 0: expected POLYGON, found '\?'"),
+        ("POLYGON Z ((0 0 7, 1 0 7, 1 1 7 9))", "byte 30: expected .*"),
+        ("POLYGON M ((0 0 7, 1 0 7), (1 1))", "byte 32: hole 1 has 1 vertices, .*"),
+        (np.ma.masked_equal(SQUARE, 0), "some elements of the array are masked; .*"),
+        (np.ma.masked_equal(np.array(SQUARE, int), 0), "some elements of the array are masked; .*"),
     ],
 )
-def test_wrong_kind(source: Any) -> None:
-    with pytest.raises(ValueError, match=r"is not a polygon|does not hold pairs"):
+def test_not_a_polygon(source: Any, reason: str) -> None:
+    with pytest.raises(gcv.InputError, match=f"^polygon: {reason}$"):
         gcv.Polygon(source)
+
+
+def test_missing_file(tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError):
+        gcv.Polygon(tmp_path / "none.wkt")
 
 
 def test_properties() -> None:

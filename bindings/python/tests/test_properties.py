@@ -10,15 +10,12 @@ from functools import cmp_to_key
 from typing import Union
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 import gcv
 
 ExactPoint = tuple[Fraction, Fraction]
-
-settings.register_profile("gcv", deadline=None, derandomize=True, database=None)
-settings.load_profile("gcv")
 
 # Small integers give many ties, the others few.
 COORDINATES = st.one_of(

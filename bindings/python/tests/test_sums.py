@@ -39,11 +39,13 @@ def test_squares() -> None:
     assert points(face) == SQUARE_3
     assert face.exact == [(Fraction(x), Fraction(y)) for x, y in SQUARE_3]
     assert face.area == 9
+    assert face.bounds == (0, 0, 3, 3)
     assert face.error_bound == 0
     assert len(face) == 4
     assert repr(face) == "<gcv.OuterFace of 4 vertices>"
     assert face.wkt == "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))"
     assert points(gcv.Polygon(face.wkt)) == SQUARE_3
+    assert face.polygon.wkt == face.wkt
     assert face.sources == [(gcv.EDGE_TRANSLATED_CORNER, k, k) for k in range(4)]
     assert shapely.geometry.shape(face).equals(shapely.box(0, 0, 3, 3))
 
@@ -89,7 +91,14 @@ def test_operators() -> None:
     assert c + (a + b) == a + b + c
 
 
-@pytest.mark.parametrize("other", [1, SQUARE, np.array(SQUARE)])
+def test_sum() -> None:
+    a, b, c = gcv.Polygon(NOTCHED), gcv.Polygon(TRIANGLE), gcv.Polygon(SQUARE)
+    assert sum([a, b, c]) == a + b + c
+    assert sum([a]) is a
+    assert sum([a + b, c]) == a + b + c
+
+
+@pytest.mark.parametrize("other", [1, 0.0, None, SQUARE, np.array(SQUARE)])
 def test_operands_of_other_types(other: Any) -> None:
     polygon = gcv.Polygon(NOTCHED)
     with pytest.raises(TypeError):
@@ -211,6 +220,48 @@ def test_reference_not_finite() -> None:
                 function(SQUARE, SQUARE, point)
 
 
+@pytest.mark.parametrize(
+    ("point", "reason"),
+    [
+        (None, "None is not a pair of numbers"),
+        (shapely.Point(0, 0), "<POINT .*> is not a pair of numbers"),
+        ((1, 2, 3), r"\(1, 2, 3\) is not a pair of numbers"),
+        ("12", "'12' is not a pair of numbers"),
+        ((0, 10**400), ".* is not a number that a finite float can be near to"),
+    ],
+)
+def test_wrong_reference(point: Any, reason: str) -> None:
+    with pytest.raises(gcv.InputError, match=f"^reference: {reason}$"):
+        gcv.no_fit_polygon(SQUARE, SQUARE, point)
+    with pytest.raises(gcv.InputError, match=f"^a0: {reason}$"):
+        gcv.entrance_block(SQUARE, SQUARE, point)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "reason"),
+    [
+        (BOW_TIE, "edges 0 and 2 meet"),
+        (None, "None is not a polygon"),
+        ([(0, 0), (1, math.nan)], "the y coordinate of vertex 1 is nan"),
+        ("POLYGON ((0 0", "byte 13: expected"),
+        (shapely.Point(0, 0), "a geometry of type 'Point' is not a polygon"),
+    ],
+)
+def test_errors_name_the_operand(wrong: Any, reason: str) -> None:
+    functions: list[tuple[Any, str, str]] = [
+        (gcv.minkowski_sum, "a", "b"),
+        (gcv.superset, "a", "b"),
+        (lambda a, b: gcv.no_fit_polygon(a, b, (0, 0)), "fixed", "moving"),
+        (lambda a, b: gcv.entrance_block(a, b, (0, 0)), "a", "b"),
+        (lambda a, b: gcv.minkowski_sum_many([SQUARE, a], [SQUARE, b]), r"a\[1\]", r"b\[1\]"),
+    ]
+    for function, a, b in functions:
+        with pytest.raises(gcv.InputError, match=f"^{a}: {reason}"):
+            function(wrong, SQUARE)
+        with pytest.raises(gcv.InputError, match=f"^{b}: {reason}"):
+            function(SQUARE, wrong)
+
+
 def test_out_of_range() -> None:
     with pytest.raises(gcv.Error) as raised:
         gcv.minkowski_sum(HUGE, HUGE)
@@ -246,6 +297,18 @@ def test_many_failures() -> None:
     assert isinstance(fourth, gcv.Error)
     assert fourth.status == second.status
     assert "pair 3" in str(fourth)
+
+
+def test_many_with_sources_that_are_no_polygons() -> None:
+    first: list[Any] = [SQUARE, None, HUGE, SQUARE, BOW_TIE]
+    second: list[Any] = [SQUARE_2, SQUARE, HUGE, BOW_TIE, None]
+    faces = gcv.minkowski_sum_many(first, second, return_errors=True)
+    assert faces[0] == gcv.minkowski_sum(SQUARE, SQUARE_2)
+    texts = [str(error) for error in faces[1:]]
+    assert texts[0].startswith("a[1]: None is not a polygon")
+    assert texts[1].startswith("pair 2: ")
+    assert texts[2].startswith("b[3]: edges 0 and 2 meet")
+    assert texts[3].startswith("a[4]: edges 0 and 2 meet")
 
 
 def test_many_refused() -> None:

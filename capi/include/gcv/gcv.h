@@ -12,10 +12,9 @@
  * reflected.
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
- * number. Every decision of the computation is exact for every such input; there
- * is no epsilon in it, and no tolerance but one that the caller asks for. Only the
- * coordinates that are handed back as doubles are rounded, each once, and each
- * function says how.
+ * number. Every decision of the computation is exact for every such input. There is
+ * no epsilon, and no tolerance unless the caller asks for one. Only the coordinates
+ * that are returned as doubles are rounded, each once. Each function says how.
  *
  * Reproducibility. The same input gives the same bits on every run, thread,
  * compiler and optimisation level. The rounding mode, flush-to-zero and exception
@@ -23,18 +22,18 @@
  * changed by a call.
  *
  * Threads. Handles are immutable once created: any number of threads may use one
- * const handle at a time. Only its destruction needs to come last.
+ * const handle at a time. Destroy a handle when no thread uses it any more.
  *
- * Errors. Functions that can fail return a gcv_status. On failure nothing is
- * written to their outputs, save *required of the buffer functions. Nothing
- * aborts, throws, prints, or keeps global state. One exception is not in the hands
- * of this library: GMP ends the process when it cannot get memory for a number of
+ * Errors. Functions that can fail return a gcv_status. A function that fails writes
+ * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
+ * throws, prints, or keeps global state. There is one exception, which this library
+ * cannot prevent: GMP ends the process when it cannot get memory for a number of
  * more than 512 bits.
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
- * ends it with the matching destroy function; destroying NULL does nothing.
- * Handles do not depend on one another: a polygon may be destroyed while an outer
- * face computed from it lives on.
+ * ends it with the matching destroy function. Destroying NULL does nothing. Handles
+ * do not depend on one another: a polygon may be destroyed before an outer face that
+ * was computed from it.
  *
  * Buffers. Buffers are the caller's, and are passed as (out, capacity, &required):
  * capacity counts elements (vertices, edges, or bytes for text). *required is set
@@ -52,7 +51,7 @@
 #include <stdint.h>
 
 #define GCV_VERSION_MAJOR 0
-#define GCV_VERSION_MINOR 1
+#define GCV_VERSION_MINOR 2
 #define GCV_VERSION_PATCH 0
 
 #if defined(__GNUC__)
@@ -69,7 +68,7 @@ extern "C" {
 
 /* ---------------------------------------------------------------- status -- */
 
-/** What a call came to. Values never change; later versions may add some. */
+/** The result of a call. Values never change. Later versions may add some. */
 typedef int32_t gcv_status;
 
 enum {
@@ -85,7 +84,8 @@ enum {
   /** A polygon without area: fewer than three vertices that are distinct and not
    *  collinear. */
   GCV_ERR_DEGENERATE = 4,
-  /** A ring that crosses or touches itself; the message names the two edges. */
+  /** A ring that crosses or touches itself, or rings that lie as they may not; the message names
+   *  the two edges. */
   GCV_ERR_NOT_SIMPLE = 5,
   /** The buffer is too small; *required says how large it must be. */
   GCV_ERR_BUFFER_TOO_SMALL = 6,
@@ -109,7 +109,7 @@ enum {
 GCV_API uint32_t gcv_version_number(void);
 
 /**
- * The version of the library that is running as text, such as "0.1.0".
+ * The version of the library that is running as text, such as "0.2.0".
  *
  * @return never NULL; valid for ever. Threads: any. @since 0.1
  */
@@ -125,9 +125,9 @@ GCV_API const char *gcv_version_string(void);
 GCV_API const char *gcv_status_name(gcv_status status);
 
 /**
- * What the last failure on the calling thread was about, in one English sentence
- * that names the polygon, the vertex or edge in the caller's numbers, and the
- * value. At most 511 bytes. Made for people; programs should look at the status.
+ * The message of the last failure on the calling thread. It is one English sentence
+ * of at most 511 bytes. It names the polygon, the vertex or edge in the caller's
+ * numbers, and the value. Made for people: programs should test the status.
  *
  * @return never NULL; "" before the first failure. Valid, and unchanged by calls
  *         that succeed, until the next failure on this thread. @since 0.1
@@ -136,16 +136,16 @@ GCV_API const char *gcv_last_error_message(void);
 
 /* --------------------------------------------------------------- polygons -- */
 
-/** A simple polygon, validated and prepared for sums. Opaque, immutable. */
+/** A polygon, validated and prepared: an outer ring, and rings of holes. Opaque, immutable. */
 typedef struct gcv_polygon gcv_polygon;
 
 /**
  * Makes a polygon from the vertices of its boundary.
  *
- * Either orientation will do. The last vertex may repeat the first. Repeated
- * vertices and vertices on a straight line are accepted and dropped; the caller's
- * numbers (vertex k as passed, edge k from vertex k to k+1) stay those of every
- * message and of every gcv_edge_source.
+ * The ring may have either orientation. The last vertex may repeat the first.
+ * Repeated vertices and vertices on a straight line are accepted and dropped.
+ * Messages and gcv_edge_source use the caller's numbers: vertex k as passed, and
+ * edge k from vertex k to k+1.
  *
  * @param xy            vertex_count vertices: x of the first is at xy, its y
  *                      right behind it. Any finite doubles, of any alignment;
@@ -167,32 +167,152 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_create(const double *xy, size_t ver
  *
  * Any letter case and white space; decimal numbers, with a point whatever the locale,
  * with or without exponent, each read as the nearest double. Rings are closed (the first vertex
- * repeated at the end) or not. Holes must be rings of at least three vertices with
- * finite coordinates; they are read and left out, for a hole never changes an
- * outer face. "POLYGON EMPTY" is degenerate.
+ * repeated at the end) or not. Holes are kept, and checked as by gcv_polygon_create_rings;
+ * version 0.1 left them out. "POLYGON EMPTY" is degenerate.
  *
  * @param text    the text; need not end in NUL.
  * @param length  its length in bytes.
  * @param out     the new polygon, the caller's.
  * @return as gcv_polygon_create, and GCV_ERR_PARSE with the byte offset in the
- *         message. A number too large for a double is GCV_ERR_NOT_FINITE.
+ *         message, also for a hole of fewer than three vertices. A number too large for a
+ *         double is GCV_ERR_NOT_FINITE.
  * Exactness, cost, threads: as gcv_polygon_create. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_wkt(const char *text, size_t length,
                                                         gcv_polygon **out);
 
+/**
+ * Makes a polygon with holes from the vertices of its rings.
+ *
+ * Ring 0 is the outer one, the others are holes. Each ring is as in gcv_polygon_create:
+ * either orientation, closed or not. Rings may touch one another in single points, even so that
+ * the interior falls apart. They may not cross or overlap. Holes lie in the outer ring and
+ * outside one another. Numbers of vertices and edges run through all rings as passed, closing
+ * and repeated vertices counted.
+ *
+ * An outer face is that of the outer rings: holes never change it.
+ *
+ * @param xy            the vertices of all rings, one ring after the other, as in
+ *                      gcv_polygon_create.
+ * @param ring_sizes    ring_count numbers of vertices, 2^31 - 1 in all at most.
+ * @param ring_count    at least 1; 0 is degenerate.
+ * @param stride_bytes  the distance from one vertex to the next, at least 16, or
+ *                      0 for 16.
+ * @param out           the new polygon, the caller's.
+ * @return as gcv_polygon_create, with GCV_ERR_NULL_ARGUMENT for ring_sizes too. The message
+ *         names the ring. GCV_ERR_NOT_SIMPLE also for rings that cross, overlap, or lie
+ *         where they may not; the message names the rings and the edges.
+ *         Of collinear edges of a ring, which are checked as one, the first along the ring.
+ * Exactness: all checks are exact. Cost: O(n log n) where the boxes of few edges overlap.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_rings(const double *xy,
+                                                          const size_t *ring_sizes,
+                                                          size_t ring_count, size_t stride_bytes,
+                                                          gcv_polygon **out);
+
+/**
+ * Makes many polygons of one ring each, such as blocks that turn in every step.
+ *
+ * @param xy            the vertices of all polygons, one polygon after the other, as in
+ *                      gcv_polygon_create.
+ * @param sizes         `count` numbers of vertices.
+ * @param count         the number of polygons; with 0 nothing is read or written.
+ * @param stride_bytes  the distance from one vertex to the next, at least 16, or
+ *                      0 for 16.
+ * @param out           room for `count` polygons, the caller's; NULL where one failed.
+ * @param statuses      room for `count` statuses, each as gcv_polygon_create would return.
+ * @return GCV_OK where every polygon was tried: look at the statuses then. The message of
+ *         gcv_last_error_message is about the first one that failed, and names it.
+ *         Otherwise nothing is written: GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT
+ *         for the stride, or for more vertices in all than memory can hold;
+ *         GCV_ERR_NO_MEMORY where there is none for the lists themselves.
+ * Exactness, cost, threads: as gcv_polygon_create. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_many(const double *xy, const size_t *sizes,
+                                                         size_t count, size_t stride_bytes,
+                                                         gcv_polygon **out, gcv_status *statuses);
+
+/**
+ * Makes a convex polygon in place of a disc: for clearances, as part + disc.
+ *
+ * Every point of its boundary is within `tolerance` of the circle, and every point of the
+ * circle within `tolerance` of its boundary. It has fewer than twice as many vertices as are
+ * needed for that and for the roundings. Seen from the centre it is the same after quarter
+ * turns, but for roundings where the centre has finer digits than the radius.
+ *
+ * @param centre     x and y, finite.
+ * @param radius     in input units, finite, above 0.
+ * @param tolerance  in input units, finite, above 0. Some units in the last place of the
+ *                   coordinates are needed for roundings.
+ * @param rounding   GCV_ROUND_NEAREST, or GCV_ROUND_OUTWARD: then the polygon contains the
+ *                   disc.
+ * @param out        the new polygon, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_NOT_FINITE for the centre or the radius;
+ *         GCV_ERR_INVALID_ARGUMENT for a radius or a tolerance that is not above 0, a
+ *         tolerance too small for doubles, or the rounding; GCV_ERR_RANGE where coordinates
+ *         are near the largest double; GCV_ERR_NO_MEMORY.
+ * Exactness: the tolerance and the containment are certified by exact arithmetic.
+ * Cost: O(vertices). About 1.6 sqrt(radius / tolerance) of them are needed, or 2.2 for
+ * GCV_ROUND_OUTWARD; there are 4, 8, 16, ... Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_disc(const double centre[2], double radius,
+                                                         double tolerance, int32_t rounding,
+                                                         gcv_polygon **out);
+
+/**
+ * The polygon with (x, y) moved to (m[0] x + m[1] y + m[2], m[3] x + m[4] y + m[5]).
+ *
+ * The numbers of vertices and edges stay, by a reflection too: collinear edges keep the number
+ * that they were merged to.
+ *
+ * @param m    six finite numbers.
+ * @param out  the new polygon, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_NOT_FINITE for m; GCV_ERR_RANGE where a
+ *         coordinate is no finite double; GCV_ERR_DEGENERATE and GCV_ERR_NOT_SIMPLE where
+ *         the map or the roundings leave no polygon; GCV_ERR_NO_MEMORY.
+ * Exactness: each coordinate is correctly rounded, to nearest, ties to even. Quarter turns,
+ * reflections and powers of two are exact so. Cost: O(n log n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_affine(const gcv_polygon *polygon, const double m[6],
+                                                    gcv_polygon **out);
+
 /** Ends a polygon. NULL is allowed. @since 0.1 */
 GCV_API void gcv_polygon_destroy(gcv_polygon *polygon);
 
 /**
- * The number of vertices of the normalised ring (see gcv_polygon_vertices).
+ * The number of its rings: 1 for the outer one, and 1 for each hole.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Cost: O(1). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_ring_count(const gcv_polygon *polygon, size_t *out);
+
+/**
+ * One normalised ring: from its lexicographically smallest vertex, without repeated and
+ * without collinear vertices, not closed. The outer ring is counter-clockwise, holes are
+ * clockwise: the polygon is on the left of all edges.
+ *
+ * @param ring      0 for the outer ring, then the holes in the order passed.
+ * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.
+ * @param capacity  in vertices.
+ * @param required  the number of vertices of the ring.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_INVALID_ARGUMENT for the ring,
+ *         GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: the doubles passed in, unchanged (but -0 is given as 0). Cost: O(n).
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_polygon_ring(const gcv_polygon *polygon, size_t ring,
+                                                  double *xy, size_t capacity, size_t *required);
+
+/**
+ * The number of vertices of the normalised outer ring (see gcv_polygon_vertices).
  *
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT. Cost: O(1). Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_polygon_vertex_count(const gcv_polygon *polygon, size_t *out);
 
 /**
- * The normalised ring: counter-clockwise, from the lexicographically smallest
+ * The normalised outer ring: counter-clockwise, from the lexicographically smallest
  * vertex, without repeated and without collinear vertices, not closed.
  *
  * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.
@@ -206,7 +326,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_vertices(const gcv_polygon *polygon
                                                       size_t capacity, size_t *required);
 
 /**
- * The area of the polygon without regard to holes, in square units, above 0.
+ * The area of the polygon, without its holes, in square units, above 0. Version 0.1 had no
+ * holes to subtract.
  *
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where the area is larger
  *         than any finite double.
@@ -227,9 +348,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_bounds(const gcv_polygon *polygon, 
 
 /** How exact coordinates become doubles: values of gcv_options.rounding. */
 enum {
-  /** Each coordinate is the double nearest to the exact one, ties to even, save where
-   *  vertices must move further for the ring to be simple: by a few units in the last
-   *  place, apart, so that the thinnest slit stays open. */
+  /** Each coordinate is the double nearest to the exact one, ties to even. Where the
+   *  ring would not be simple, vertices are moved apart by a few units in the last
+   *  place, so that the thinnest slit of the exact ring stays open. */
   GCV_ROUND_NEAREST = 0,
   /** The returned region contains the exact one, so that a part that is placed on the
    *  ring never overlaps. Slits thinner than a few units in the last place close. */
@@ -238,30 +359,30 @@ enum {
 
 /**
  * Options of a computation. Start from GCV_OPTIONS_INIT or gcv_options_init, then
- * set fields: a program compiled with this header keeps working with a later
- * library whose struct has more fields. A struct_size above that of the running
- * library is accepted where all that the library does not know is 0.
+ * set fields. A program compiled with this header keeps working with a later library
+ * whose struct has more fields. The running library accepts a struct_size above its
+ * own if all bytes that it does not know are 0.
  */
 typedef struct gcv_options {
   /** sizeof(gcv_options) as the caller compiled it. */
   uint32_t struct_size;
   /** GCV_ROUND_NEAREST or GCV_ROUND_OUTWARD. */
   int32_t rounding;
-  /** How far, in input units, the sum may be from the exact one beside the rounding;
-   *  finite, from 0 on. Above 0, each polygon is first simplified by at most half of
-   *  it, see gcv_polygon_simplified, where that saves a quarter of its vertices, and the
-   *  exact ring is that of the simplified polygons. With GCV_ROUND_OUTWARD the result
-   *  still contains the exact sum. */
+  /** How far, in input units, the sum may be from the exact one. Rounding is not
+   *  counted. Finite, not negative. Above 0, each polygon is first simplified by at
+   *  most half of the tolerance (see gcv_polygon_simplified), if that saves a quarter
+   *  of its vertices. The exact ring is then that of the simplified polygons. With
+   *  GCV_ROUND_OUTWARD the result still contains the exact sum. */
   double tolerance;
-  /** How many threads work on the sum, the calling one among them: 1 by default,
-   *  0 for as many as the machine runs at once; above 256 as 256. The result is the
-   *  same, to the bit, for every number. */
+  /** The number of threads that work on the sum, the calling one included. 1 by
+   *  default; 0 for as many as the machine runs at once; above 256 counts as 256. The
+   *  result is the same, to the bit, for every number. */
   int32_t threads;
-  /** Called now and then during long work, or NULL: at the start, at the end, and in
-   *  between at most every few thousand steps; from the calling thread alone, in the
-   *  default floating-point environment. `done` steps of about `estimate` (a guess,
-   *  never below `done`) are done. A return other than 0 cancels the computation,
-   *  which then returns GCV_ERR_CANCELLED. Must return: no longjmp. */
+  /** Reports progress, or NULL. Called at the start, at the end, and in between at most
+   *  every few thousand steps. Called only from the calling thread, in the default
+   *  floating-point environment. `done` is the number of steps done. `estimate` is a
+   *  guess of the number of all steps, never below `done`. If it returns other than 0,
+   *  the computation ends and returns GCV_ERR_CANCELLED. Must return: no longjmp. */
   int32_t (*progress)(void *context, uint64_t done, uint64_t estimate);
   /** Handed to `progress`. */
   void *progress_context;
@@ -271,20 +392,34 @@ typedef struct gcv_options {
 #define GCV_OPTIONS_INIT \
   { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL }
 
-/** Sets the default options, all of the struct of the library that is running: the caller's must
- *  not be smaller. Programs that may run with a later library than they were compiled for start
- *  from GCV_OPTIONS_INIT instead. NULL is allowed and does nothing. @since 0.1 */
+/** Sets the default options. Writes as many bytes as the struct of the running library has, so
+ *  the caller's struct must not be smaller. Programs that may run with a later library than they
+ *  were compiled for start from GCV_OPTIONS_INIT instead. NULL is allowed and does nothing.
+ *  @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
 
 /**
- * The polygon with fewer vertices, for scenes that need no more detail: to be made once
- * a polygon and used in many sums.
+ * Sets the default options in a struct of the caller's size, which may be that of an earlier or a
+ * later version: for languages that know no macros.
  *
- * The new boundary is simple, and within `tolerance` of the given one in Hausdorff
- * distance. With GCV_ROUND_NEAREST its vertices are some of the given ones. With
- * GCV_ROUND_OUTWARD its region contains the given polygon; it may then have new vertices,
- * where edges were lengthened until they meet. Numbers of vertices and edges stay those
- * that the given polygon was created with; of several that one stands for, the first.
+ * @param options      room for struct_size bytes, all of which are written; NULL is allowed and
+ *                     does nothing.
+ * @param struct_size  sizeof(gcv_options) as the caller has it. Below 16, less than any version
+ *                     had, nothing is written.
+ * Threads: any. @since 0.2
+ */
+GCV_API void gcv_options_init_size(gcv_options *options, uint32_t struct_size);
+
+/**
+ * Simplifies a polygon: fewer vertices, within a tolerance. For scenes that need no more
+ * detail. Made once for a polygon, and used in many sums.
+ *
+ * The new boundary is simple. Its Hausdorff distance from the given one is at most
+ * `tolerance`. With GCV_ROUND_NEAREST its vertices are some of the given ones. With
+ * GCV_ROUND_OUTWARD its region contains the given polygon. It may then have new vertices,
+ * where edges were lengthened until they meet. Keeps the numbers of the given polygon: a new
+ * vertex or edge that replaces several has the number of the first of them. Holes are
+ * simplified likewise, and none is lost.
  *
  * @param tolerance    in input units, finite, from 0 on; 0 leaves every vertex.
  * @param rounding     GCV_ROUND_NEAREST or GCV_ROUND_OUTWARD.
@@ -309,7 +444,8 @@ typedef struct gcv_outer_face gcv_outer_face;
  * The outer face of the Minkowski sum A + B: the boundary of the unbounded
  * component of the plane without A + B.
  *
- * @param a, b     the polygons; the same handle may be given twice.
+ * @param a        the polygon A.
+ * @param b        the polygon B; the same handle may be given twice.
  * @param options  or NULL for the defaults.
  * @param out      the new outer face, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
@@ -329,14 +465,21 @@ GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum(const gcv_polygon *a, const g
 
 /**
  * The no-fit polygon fixed + (-moving) + reference: where the point `reference`,
- * tied to `moving`, may go while the two polygons touch. With the point inside the
- * ring they overlap; on it they touch; outside they are apart.
+ * tied to `moving`, may go while the two polygons touch.
  *
- * @param fixed, moving  the polygons.
- * @param reference      x and y of the reference point of `moving`, finite.
- * @param options        or NULL for the defaults.
- * @param out            the new outer face, the caller's. In its sources, a is an
- *                       index in `fixed` and b one in `moving`.
+ * With the point outside the exact ring the two polygons are apart. On the ring they
+ * touch and do not overlap. Inside the ring they overlap, but not everywhere: holes of
+ * the sum lie inside the ring too, and in a hole the polygons are apart. In a slit
+ * without width and at a single free point, as where one polygon just fits the other,
+ * they touch and do not overlap. The ring has none of these positions, unless they are
+ * connected with the outside by a gap, however narrow, in the doubles passed in.
+ *
+ * @param fixed      the polygon that stays.
+ * @param moving     the polygon that goes around it.
+ * @param reference  x and y of the reference point of `moving`, finite.
+ * @param options    or NULL for the defaults.
+ * @param out        the new outer face, the caller's. In its sources, a is an index in
+ *                   `fixed` and b one in `moving`.
  * @return as gcv_minkowski_sum, and GCV_ERR_NOT_FINITE for the reference point.
  * Exactness: the reference point is added exactly, before rounding. Cost, threads:
  * as gcv_minkowski_sum. @since 0.1
@@ -351,7 +494,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon(const gcv_polygon *fixed,
  * Shi's entrance block E(A, B) = { b - a + a0 } = B + (-A) + a0, for contact
  * detection: where the point a0 of block A may go while A and B touch.
  *
- * @param a, b     the blocks.
+ * @param a        the block A, which moves.
+ * @param b        the block B.
  * @param a0       x and y of the reference point of A, finite.
  * @param options  or NULL for the defaults.
  * @param out      the new outer face, the caller's. In its sources, a is an index
@@ -368,7 +512,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_entrance_block(const gcv_polygon *a, const 
  * The pairs are shared out over options->threads threads. A pair that fails leaves the
  * others as they are.
  *
- * @param a, b      `count` polygons each; a handle may occur any number of times.
+ * @param a         `count` polygons; a handle may occur any number of times.
+ * @param b         as many, and likewise.
  * @param count     their number; with 0 nothing is read or written.
  * @param options   for all pairs, or NULL for the defaults.
  * @param out       room for `count` outer faces, the caller's to end; NULL for a pair
@@ -455,9 +600,9 @@ enum {
 /**
  * Where an edge of the sum comes from. a is a vertex or edge number of A, b one of
  * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
- * vertex k to k+1. Of merged collinear edges, the first along the counter-clockwise
- * ring. Of a vertex passed several times in a row, the last number; a closing vertex
- * counts as vertex 0.
+ * vertex k to k+1. Merged collinear edges have the number of the first along the
+ * counter-clockwise ring. A vertex passed several times in a row has its last number.
+ * A closing vertex counts as vertex 0.
  */
 typedef struct gcv_edge_source {
   int32_t kind;
@@ -467,15 +612,16 @@ typedef struct gcv_edge_source {
 
 /**
  * The source of every edge of the exact ring: element i is for the edge from exact
- * vertex i to i+1. Where several superset edges overlap on the ring, one of them, always
- * the same.
+ * vertex i to i+1. If several superset edges overlap on the ring, it is one of them,
+ * always the same.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
  * @param required  the number of edges.
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
- * Exactness: exact. Cost: O(n), with the vertices of both polygons in n, and a search for
- * each edge where chains of edges are repeated in both; found anew by each call.
+ * Exactness: exact. Cost: O(n), where n counts the vertices of both polygons and of the
+ * ring. If chains of edges are repeated in both polygons, a search for each edge comes on
+ * top. Each call finds the sources anew.
  * Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_face *face,
@@ -484,17 +630,17 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
 
 /**
  * An upper bound on the Hausdorff distance between the returned ring and the exact
- * ring, in input units: 0 where every coordinate is a double, half a unit in the last
- * place for each coordinate where nothing had to be repaired, and in most other cases
- * a few units. Where outward rounding closes a slit, what lies behind it counts: the
- * bound is then as large as the pocket that was closed.
+ * ring, in input units. It is 0 if every exact coordinate is a double. It is half a unit in
+ * the last place of each coordinate if nothing had to be repaired, and a few units in most
+ * other cases. If outward rounding closes a slit, the pocket behind the slit counts: the
+ * bound is then as large as the pocket.
  *
- * With a tolerance the bound also has what the polygons were simplified by, often less
- * than the tolerance, and is one between sets: no point of the ring is further than it
- * from the exact sum of the polygons as given, and no point of that sum is further than
- * it from the region inside the ring. The rings can be further apart where a pocket has
- * an entrance narrower than twice the bound: it may be open in one of the two sums and
- * closed in the other.
+ * With a tolerance, the bound includes what the polygons were simplified by, which is often
+ * less than the tolerance. It is then a bound between sets. No point of the ring is further
+ * than it from the exact sum of the given polygons. No point of that sum is further than it
+ * from the region inside the ring. The rings themselves can be further apart where the
+ * entrance of a pocket is narrower than twice the bound: the entrance may be open in one
+ * of the two sums and closed in the other.
  *
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
  * Exactness: a certified bound, rounded up. Cost: O(1). Threads: any. @since 0.1
@@ -539,18 +685,18 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_wkt(const gcv_outer_face *face, 
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_polygon(const gcv_outer_face *face,
                                                         gcv_polygon **out);
 
-/** What a computation took: counts, not times. Set struct_size before the call. */
+/** The cost of a computation, in counts, not times. Set struct_size before the call. */
 typedef struct gcv_stats {
   /** sizeof(gcv_stats) as the caller compiled it. */
   uint32_t struct_size;
   /** Edges that the walk went along. */
   uint64_t walk_steps;
-  /** Superset edges that it looked at. */
+  /** Superset edges that the walk tested. */
   uint64_t candidate_edges;
-  /** Predicates settled by doubles with a proven error bound or by indices. */
+  /** Predicates decided by doubles with a proven error bound, or by indices. */
   uint64_t predicates_filtered;
-  /** Predicates settled by pairs of doubles or integers of at most 512 bits, without heap memory.
-   */
+  /** Predicates decided by double-double numbers or by integers of at most 512 bits, without
+   *  heap memory. */
   uint64_t predicates_fixed_width;
   /** Predicates that needed arbitrary-precision arithmetic. */
   uint64_t predicates_rational;
@@ -559,7 +705,7 @@ typedef struct gcv_stats {
 } gcv_stats;
 
 /**
- * What the computation of this outer face took. The counts are the same on every
+ * The cost of the computation of this outer face. The counts are the same on every
  * run with the same version of the library.
  *
  * @param out  with struct_size set; as many bytes as it says are written.
@@ -583,11 +729,13 @@ typedef struct gcv_superset_edge {
 /**
  * The superset of the outer face of A + B that the paper builds (Definition 1 and
  * the three cases of translated-corner edges), after collinear vertices of A and B
- * are dropped. For plots, for tests and for readers of the paper: sums do not need
- * it, and it can have in the order of n m edges.
+ * are dropped. Holes of the polygons are rings like the outer ones, since version 0.2:
+ * their edges bound holes of the sum. For plots, for tests and for readers of the paper:
+ * sums do not need it, and it can have in the order of n m edges.
  *
- * @param a, b  the polygons.
- * @param out   the new superset, the caller's.
+ * @param a    the polygon A.
+ * @param b    the polygon B.
+ * @param out  the new superset, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where a coordinate is no
  *         finite double; GCV_ERR_NO_MEMORY.
  * Exactness: which edges there are is exact; their coordinates are correctly

@@ -48,25 +48,32 @@ static inline const char *gcvx_message(gcv_status status, char *text) {
   return text;
 }
 
+/* A cast of a pointer to void that is one in C++ too. */
+#ifdef __cplusplus
+#define GCVX_CAST(type, pointer) static_cast<type>(pointer)
+#else
+#define GCVX_CAST(type, pointer) ((type)(pointer))
+#endif
+
 /*
  * The body of a function that gives in *out, allocated, the *count elements that `call`
  * writes: asks for their number, then for them. `call` has (buffer, capacity, &required).
  */
-#define GCVX_ALLOCATED(type, element_size, call, out, count) \
-  type *buffer = NULL;                                       \
-  size_t capacity = 0, required = 0;                         \
-  gcv_status status = call;                                  \
-  if (status != GCV_OK) return status;                       \
-  buffer = (type *)malloc(required * (element_size));        \
-  if (buffer == NULL) return GCVX_ERR_SYSTEM;                \
-  capacity = required;                                       \
-  status = call;                                             \
-  if (status != GCV_OK) {                                    \
-    free(buffer);                                            \
-    return status;                                           \
-  }                                                          \
-  *(out) = buffer;                                           \
-  *(count) = required;                                       \
+#define GCVX_ALLOCATED(type, element_size, call, out, count)     \
+  type *buffer = NULL;                                           \
+  size_t capacity = 0, required = 0;                             \
+  gcv_status status = call;                                      \
+  if (status != GCV_OK) return status;                           \
+  buffer = GCVX_CAST(type *, malloc(required * (element_size))); \
+  if (buffer == NULL) return GCVX_ERR_SYSTEM;                    \
+  capacity = required;                                           \
+  status = call;                                                 \
+  if (status != GCV_OK) {                                        \
+    free(buffer);                                                \
+    return status;                                               \
+  }                                                              \
+  *(out) = buffer;                                               \
+  *(count) = required;                                           \
   return GCV_OK
 
 /**
@@ -139,7 +146,7 @@ static inline gcv_status gcvx_read(FILE *file, char **text, size_t *length) {
     if (*length == capacity) {
       char *larger = NULL;
       capacity = capacity == 0 ? 4096 : 2 * capacity;
-      larger = (char *)realloc(*text, capacity);
+      larger = GCVX_CAST(char *, realloc(*text, capacity));
       if (larger == NULL) return GCVX_ERR_SYSTEM;
       *text = larger;
     }
@@ -172,5 +179,7 @@ GCV_NODISCARD static inline gcv_status gcvx_polygon_read_wkt(const char *path, g
   errno = reason;
   return status;
 }
+
+#undef GCVX_CAST
 
 #endif /* GCV_GCVX_H */

@@ -112,7 +112,42 @@ extern "C" {
         length: usize,
         out: *mut *mut gcv_polygon,
     ) -> gcv_status;
+    pub fn gcv_polygon_create_rings(
+        xy: *const f64,
+        ring_sizes: *const usize,
+        ring_count: usize,
+        stride_bytes: usize,
+        out: *mut *mut gcv_polygon,
+    ) -> gcv_status;
+    pub fn gcv_polygon_create_many(
+        xy: *const f64,
+        sizes: *const usize,
+        count: usize,
+        stride_bytes: usize,
+        out: *mut *mut gcv_polygon,
+        statuses: *mut gcv_status,
+    ) -> gcv_status;
+    pub fn gcv_polygon_create_disc(
+        centre: *const f64,
+        radius: f64,
+        tolerance: f64,
+        rounding: i32,
+        out: *mut *mut gcv_polygon,
+    ) -> gcv_status;
+    pub fn gcv_polygon_affine(
+        polygon: *const gcv_polygon,
+        m: *const f64,
+        out: *mut *mut gcv_polygon,
+    ) -> gcv_status;
     pub fn gcv_polygon_destroy(polygon: *mut gcv_polygon);
+    pub fn gcv_polygon_ring_count(polygon: *const gcv_polygon, out: *mut usize) -> gcv_status;
+    pub fn gcv_polygon_ring(
+        polygon: *const gcv_polygon,
+        ring: usize,
+        xy: *mut f64,
+        capacity: usize,
+        required: *mut usize,
+    ) -> gcv_status;
     pub fn gcv_polygon_vertex_count(polygon: *const gcv_polygon, out: *mut usize) -> gcv_status;
     pub fn gcv_polygon_vertices(
         polygon: *const gcv_polygon,
@@ -131,6 +166,7 @@ extern "C" {
     ) -> gcv_status;
 
     pub fn gcv_options_init(options: *mut gcv_options);
+    pub fn gcv_options_init_size(options: *mut gcv_options, struct_size: u32);
 
     pub fn gcv_minkowski_sum(
         a: *const gcv_polygon,

@@ -142,15 +142,14 @@ fn functions_have_the_types_of_the_header() {
 
 #[test]
 fn functions_are_those_of_the_version_script() {
-    let (_, rest) = MAP.split_once("global:").unwrap();
-    let mut exported: Vec<_> = rest
-        .split_once("local:")
-        .unwrap()
-        .0
-        .split(';')
+    let symbols = |node: &'static str| node.split(['}', ':']).next().unwrap().split(';');
+    let mut exported: Vec<_> = MAP
+        .split("global:")
+        .skip(1)
+        .flat_map(symbols)
         .map(str::trim)
+        .filter(|name| !["", "local"].contains(name))
         .collect();
-    exported.retain(|name| !name.is_empty());
     exported.sort_unstable();
     assert_eq!(exported, prototypes().into_keys().collect::<Vec<_>>());
 }

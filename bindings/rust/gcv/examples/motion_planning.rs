@@ -137,7 +137,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let file = env::args().nth(1);
     let file = file.as_deref().unwrap_or("motion_planning.svg");
 
-    let reflected = Polygon::new(&ROBOT.map(|[x, y]| [-x, -y]))?;
+    let reflected = -Polygon::new(&ROBOT)?;
     let obstacles: Vec<_> = OBSTACLES
         .iter()
         .map(|wkt| Polygon::from_wkt(wkt))

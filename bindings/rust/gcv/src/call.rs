@@ -9,6 +9,7 @@ use std::ptr::{self, NonNull};
 
 use gcv_sys as sys;
 
+use crate::handle::{Handle, Made};
 use crate::Error;
 
 pub(crate) const INFALLIBLE: &str = "libgcv fails here only for want of memory";
@@ -23,7 +24,7 @@ pub(crate) fn check(status: i32) -> Result<(), Error> {
 }
 
 /// What the last failure on this thread was about.
-pub(crate) fn last_error_message() -> String {
+fn last_error_message() -> String {
     // SAFETY: the message stays until the next failure on this thread.
     unsafe { text(sys::gcv_last_error_message()) }
 }
@@ -49,10 +50,42 @@ pub(crate) fn value<T: Default>(call: impl FnOnce(*mut T) -> i32) -> Result<T, E
 }
 
 /// The handle that a function gives through an output argument.
-pub(crate) fn create<T>(call: impl FnOnce(*mut *mut T) -> i32) -> Result<NonNull<T>, Error> {
+pub(crate) fn create<T: Made>(call: impl FnOnce(*mut *mut T) -> i32) -> Result<Handle<T>, Error> {
     let mut out = ptr::null_mut();
     check(call(&mut out))?;
-    Ok(NonNull::new(out).expect("libgcv gives a handle where it succeeds"))
+    let out = NonNull::new(out).expect("libgcv gives a handle where it succeeds");
+    // SAFETY: the library has just made it, for the caller.
+    Ok(unsafe { Handle::own(out) })
+}
+
+/// What a function gives that makes many: `count` handles, or the status where there is none.
+/// The library's message is about the first of those, by its `name` and number; those of the
+/// others are only that and the status. Where the call as a whole fails, each has its error.
+pub(crate) fn create_many<T: Made>(
+    count: usize,
+    name: &str,
+    call: impl FnOnce(*mut *mut T, *mut i32) -> i32,
+) -> Vec<Result<Handle<T>, Error>> {
+    let mut made = vec![ptr::null_mut(); count];
+    let mut statuses = vec![sys::GCV_OK; count];
+    if let Err(error) = check(call(made.as_mut_ptr(), statuses.as_mut_ptr())) {
+        return vec![Err(error); count];
+    }
+    let mut first_message = Some(last_error_message());
+    let mut results = Vec::with_capacity(count);
+    for (index, (pointer, status)) in made.into_iter().zip(statuses).enumerate() {
+        results.push(match NonNull::new(pointer) {
+            // SAFETY: the library has just made it, for the caller.
+            Some(pointer) => Ok(unsafe { Handle::own(pointer) }),
+            None => {
+                let message = first_message.take();
+                let message =
+                    message.unwrap_or_else(|| format!("{name} {index}: {}", status_name(status)));
+                Err(Error { status, message })
+            }
+        });
+    }
+    results
 }
 
 /// What a function writes to a buffer: asks for the number of elements, then for them.

@@ -3,21 +3,33 @@
 
 //! Polygons from and to those of geo-types.
 
-use geo_types::{LineString, Polygon as GeoPolygon};
+use geo_types::{Coord, LineString, Point as GeoPoint, Polygon as GeoPolygon};
 
-use crate::{Error, OuterFace, Polygon};
+use crate::{Error, OuterFace, Point, Polygon};
 
-/// Holes are left out, as they never change an outer face.
+impl Point for Coord<f64> {
+    fn xy(&self) -> [f64; 2] {
+        [self.x, self.y]
+    }
+}
+
+impl Point for GeoPoint<f64> {
+    fn xy(&self) -> [f64; 2] {
+        self.0.xy()
+    }
+}
+
+/// With its interiors as holes.
 impl TryFrom<&GeoPolygon<f64>> for Polygon {
     type Error = Error;
 
     fn try_from(polygon: &GeoPolygon<f64>) -> Result<Self, Error> {
-        let vertices: Vec<_> = polygon.exterior().coords().map(|c| [c.x, c.y]).collect();
-        Self::new(&vertices)
+        let holes = polygon.interiors().iter().map(|hole| &hole.0);
+        Self::from_rings([&polygon.exterior().0].into_iter().chain(holes))
     }
 }
 
-/// Holes are left out, as they never change an outer face.
+/// With its interiors as holes.
 impl TryFrom<GeoPolygon<f64>> for Polygon {
     type Error = Error;
 
@@ -26,9 +38,11 @@ impl TryFrom<GeoPolygon<f64>> for Polygon {
     }
 }
 
+/// With its holes as interiors.
 impl From<&Polygon> for GeoPolygon<f64> {
     fn from(polygon: &Polygon) -> Self {
-        GeoPolygon::new(LineString::from(polygon.vertices()), vec![])
+        let holes = polygon.rings().skip(1).map(LineString::from).collect();
+        GeoPolygon::new(LineString::from(polygon.vertices()), holes)
     }
 }
 

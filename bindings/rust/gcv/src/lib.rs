@@ -26,22 +26,25 @@ mod call;
 mod error;
 #[cfg(feature = "geo-types")]
 mod geo;
+mod handle;
 mod options;
 mod outer_face;
+mod point;
 mod polygon;
 mod source;
 mod sums;
 
-pub use error::{status, Error};
+pub use error::{status, Error, ErrorKind};
 pub use options::{Options, Rounding};
 pub use outer_face::{OuterFace, Stats};
+pub use point::Point;
 pub use polygon::Polygon;
 pub use source::EdgeSource;
 pub use sums::{
     entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon, superset, SupersetEdge,
 };
 
-/// The version of the library that is running, such as `"0.1.0"`.
+/// The version of the library that is running, such as `"0.2.0"`.
 pub fn library_version() -> String {
     // SAFETY: the function gives a text that stays.
     unsafe { call::text(gcv_sys::gcv_version_string()) }

@@ -2,31 +2,27 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 use std::fmt;
+use std::hash::{Hash, Hasher};
 use std::mem::size_of;
-use std::ptr::NonNull;
 
 use gcv_sys as sys;
 
 use crate::call::{check, create, elements, string, value, INFALLIBLE};
+use crate::handle::Handle;
+use crate::polygon::hash_ring;
 use crate::{EdgeSource, Error, Polygon};
 
 /// The outer face of a Minkowski sum.
 ///
 /// Made by [`minkowski_sum`](crate::minkowski_sum), [`no_fit_polygon`](crate::no_fit_polygon),
 /// [`entrance_block`](crate::entrance_block) and
-/// [`minkowski_sum_many`](crate::minkowski_sum_many).
-pub struct OuterFace(NonNull<sys::gcv_outer_face>);
-
-// SAFETY: as for a polygon.
-unsafe impl Send for OuterFace {}
-unsafe impl Sync for OuterFace {}
+/// [`minkowski_sum_many`](crate::minkowski_sum_many). It never changes: a clone is the same
+/// one, and costs nothing. Two are equal where both their rings are, the exact ones and
+/// those in `f64`. As text it is [`OuterFace::wkt`].
+#[derive(Clone)]
+pub struct OuterFace(pub(crate) Handle<sys::gcv_outer_face>);
 
 impl OuterFace {
-    /// The outer face of a handle, which is owned from now on.
-    pub(crate) fn from_handle(handle: NonNull<sys::gcv_outer_face>) -> Self {
-        Self(handle)
-    }
-
     fn as_ptr(&self) -> *const sys::gcv_outer_face {
         self.0.as_ptr()
     }
@@ -95,7 +91,8 @@ impl OuterFace {
         bound.expect(INFALLIBLE)
     }
 
-    /// The area inside [`OuterFace::vertices`], in square units, correctly rounded.
+    /// The area inside [`OuterFace::vertices`], in square units, correctly rounded. Holes of
+    /// the sum are not subtracted.
     ///
     /// # Errors
     /// `GCV_ERR_RANGE` where it is larger than any finite `f64`.
@@ -122,8 +119,7 @@ impl OuterFace {
     /// `GCV_ERR_NO_MEMORY`.
     pub fn polygon(&self) -> Result<Polygon, Error> {
         // SAFETY: the face is alive.
-        create(|out| unsafe { sys::gcv_outer_face_polygon(self.as_ptr(), out) })
-            .map(Polygon::from_handle)
+        create(|out| unsafe { sys::gcv_outer_face_polygon(self.as_ptr(), out) }).map(Polygon)
     }
 
     /// What the computation took.
@@ -154,10 +150,25 @@ impl fmt::Debug for OuterFace {
     }
 }
 
-impl Drop for OuterFace {
-    fn drop(&mut self) {
-        // SAFETY: the face is owned and not used again.
-        unsafe { sys::gcv_outer_face_destroy(self.0.as_ptr()) }
+impl fmt::Display for OuterFace {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str(&self.wkt())
+    }
+}
+
+impl PartialEq for OuterFace {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_ptr() == other.as_ptr()
+            || self.vertices() == other.vertices()
+                && self.exact_vertices() == other.exact_vertices()
+    }
+}
+
+impl Eq for OuterFace {}
+
+impl Hash for OuterFace {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        hash_ring(&self.vertices(), state);
     }
 }
 

@@ -1,12 +1,11 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-use std::ptr::{self, NonNull};
 use std::vec;
 
 use gcv_sys as sys;
 
-use crate::call::{check, create, elements, last_error_message, status_name};
+use crate::call::{create, create_many, elements};
 use crate::{EdgeSource, Error, Options, OuterFace, Polygon};
 
 /// The outer face of the Minkowski sum A + B.
@@ -25,7 +24,13 @@ pub fn minkowski_sum(a: &Polygon, b: &Polygon, options: &Options) -> Result<Oute
 /// The no-fit polygon fixed + (-moving) + reference.
 ///
 /// It is where the point `reference`, tied to `moving`, may go while the two polygons
-/// touch: inside the ring they overlap, outside they are apart.
+/// touch.
+///
+/// With the point outside the exact ring the two polygons are apart. On the ring they touch
+/// and do not overlap. Inside the ring they overlap, but not everywhere: in a hole of the sum
+/// they are apart. In a slit without width and at a single free point, as where one polygon
+/// just fits the other, they touch and do not overlap. The ring has none of these positions,
+/// unless a gap connects them with the outside, however narrow, in the doubles passed in.
 ///
 /// # Errors
 /// As [`minkowski_sum`], and `GCV_ERR_NOT_FINITE` for the reference point.
@@ -65,7 +70,7 @@ fn outer_face(
     options: &Options,
     call: impl FnOnce(*const sys::gcv_options, *mut *mut sys::gcv_outer_face) -> i32,
 ) -> Result<OuterFace, Error> {
-    options.pass(|options| create(|out| call(options, out)).map(OuterFace::from_handle))
+    options.pass(|options| create(|out| call(options, out)).map(OuterFace))
 }
 
 /// The outer face of every sum of a pair, in their order.
@@ -103,39 +108,17 @@ pub fn minkowski_sum_many<'p>(
         .unzip();
     let count = a.len();
     let results: Vec<_> = options.pass(|options| {
-        let mut faces = vec![ptr::null_mut(); count];
-        let mut statuses = vec![sys::GCV_OK; count];
-        let (out, status) = (faces.as_mut_ptr(), statuses.as_mut_ptr());
         // SAFETY: the polygons are alive, the options are for the call, and there is room
         // for as many results as there are pairs.
-        let done = check(unsafe {
-            sys::gcv_minkowski_sum_many(a.as_ptr(), b.as_ptr(), count, options, out, status)
-        });
-        match done {
-            Ok(()) => each(&faces, &statuses),
-            Err(error) => (0..count).map(|_| Err(error.clone())).collect(),
-        }
+        create_many(count, "pair", |out, statuses| unsafe {
+            sys::gcv_minkowski_sum_many(a.as_ptr(), b.as_ptr(), count, options, out, statuses)
+        })
     });
-    results.into_iter()
-}
-
-/// Takes the outer faces, or the status where there is none. The library's message is
-/// about the first of those.
-fn each(faces: &[*mut sys::gcv_outer_face], statuses: &[i32]) -> Vec<Result<OuterFace, Error>> {
-    let mut first_message = Some(last_error_message());
-    let mut results = Vec::with_capacity(faces.len());
-    for (index, (&face, &status)) in faces.iter().zip(statuses).enumerate() {
-        results.push(match NonNull::new(face) {
-            Some(face) => Ok(OuterFace::from_handle(face)),
-            None => {
-                let message = first_message.take();
-                let message =
-                    message.unwrap_or_else(|| format!("pair {index}: {}", status_name(status)));
-                Err(Error { status, message })
-            }
-        });
-    }
-    results
+    let faces: Vec<_> = results
+        .into_iter()
+        .map(|result| result.map(OuterFace))
+        .collect();
+    faces.into_iter()
 }
 
 /// One edge of the superset.
@@ -162,8 +145,6 @@ pub fn superset(a: &Polygon, b: &Polygon) -> Result<Vec<SupersetEdge>, Error> {
     let edges: Vec<sys::gcv_superset_edge> = elements(|out, capacity, required| unsafe {
         sys::gcv_superset_edges(superset.as_ptr(), out, capacity, required)
     });
-    // SAFETY: the superset is owned and not used again.
-    unsafe { sys::gcv_superset_destroy(superset.as_ptr()) };
     let convert = |edge: sys::gcv_superset_edge| SupersetEdge {
         from: [edge.x0, edge.y0],
         to: [edge.x1, edge.y1],

@@ -30,11 +30,38 @@ fn geo_types_with_holes_and_without_area() {
     let ring = |vertices: &[[f64; 2]]| geo_types::LineString::from(vertices.to_vec());
     let square = [[0., 0.], [9., 0.], [9., 9.], [0., 9.]];
     let hole = ring(&[[1., 1.], [2., 1.], [1., 2.]]);
-    let polygon = Polygon::try_from(geo_types::Polygon::new(ring(&square), vec![hole]));
-    assert_eq!(polygon.unwrap().vertices(), square);
+    let other_hole = ring(&[[5., 5.], [5., 7.], [7., 5.]]);
+    let geo = geo_types::Polygon::new(ring(&square), vec![hole, other_hole]);
+    let polygon = Polygon::try_from(&geo).unwrap();
+    assert_eq!(polygon.vertices(), square);
+    assert_eq!(polygon.ring_count(), 3);
+    assert_eq!(polygon.area(), Ok(81. - 0.5 - 2.));
+    assert_eq!(polygon.ring(2).unwrap(), [[5., 5.], [5., 7.], [7., 5.]]);
+
+    // Holes come back clockwise.
+    let back = geo_types::Polygon::from(&polygon);
+    assert_eq!(back.exterior(), geo.exterior());
+    let hole = ring(&[[1., 1.], [1., 2.], [2., 1.], [1., 1.]]);
+    assert_eq!(back.interiors(), [hole, geo.interiors()[1].clone()]);
+    assert_eq!(Polygon::try_from(back), Ok(polygon));
+
+    let outside = ring(&[[10., 1.], [11., 1.], [10., 2.]]);
+    let error = Polygon::try_from(geo_types::Polygon::new(ring(&square), vec![outside]));
+    assert_eq!(error.unwrap_err().status, gcv::status::GCV_ERR_NOT_SIMPLE);
 
     let error = Polygon::try_from(geo_types::Polygon::new(ring(&[]), vec![])).unwrap_err();
     assert_eq!(error.status, gcv::status::GCV_ERR_DEGENERATE);
+}
+
+#[cfg(feature = "geo-types")]
+#[test]
+fn points_of_geo_types() {
+    let vertices = [(0., 0.), (2., 0.), (0., 2.)];
+    let coords = vertices.map(geo_types::Coord::from);
+    let points = vertices.map(geo_types::Point::from);
+    let expected = Polygon::new(&vertices);
+    assert_eq!(Polygon::new(&coords), expected);
+    assert_eq!(Polygon::new(&points), expected);
 }
 
 #[cfg(feature = "num-rational")]

@@ -25,11 +25,6 @@ fn polygons() -> impl Strategy<Value = Polygon> {
     rings().prop_map(|ring| Polygon::new(&ring).unwrap())
 }
 
-fn negated(polygon: &Polygon) -> Polygon {
-    let ring: Vec<_> = polygon.vertices().iter().map(|[x, y]| [-x, -y]).collect();
-    Polygon::new(&ring).unwrap()
-}
-
 fn sum(a: &Polygon, b: &Polygon) -> Result<OuterFace, Error> {
     minkowski_sum(a, b, &Options::new())
 }
@@ -43,6 +38,41 @@ proptest! {
         turned.rotate_left(turns);
         turned.reverse();
         prop_assert_eq!(Polygon::new(&turned).unwrap().vertices(), polygon.vertices());
+    }
+
+    #[test]
+    fn reflections_are_exact(ring in rings(), hole in rings()) {
+        let large: Vec<_> = ring.iter().map(|[x, y]| [20. * x, 20. * y]).collect();
+        let polygon = Polygon::from_rings([&large, &hole]).unwrap();
+        let negated = |ring: &[[f64; 2]]| ring.iter().map(|[x, y]| [-x, -y]).collect::<Vec<_>>();
+        let expected = Polygon::from_rings([negated(&large), negated(&hole)]).unwrap();
+        prop_assert_eq!(-&polygon, expected);
+        prop_assert_eq!(-(-&polygon), polygon);
+    }
+
+    #[test]
+    fn text_reads_back(ring in prop::collection::vec([any::<f64>(), any::<f64>()], 3..6)) {
+        if let Ok(polygon) = Polygon::new(&ring) {
+            prop_assert_eq!(polygon.to_string().parse(), Ok(polygon));
+        }
+    }
+
+    #[test]
+    fn many_polygons_are_as_one_by_one(
+        rings in prop::collection::vec(prop::collection::vec([0..4, 0..4], 0..6), 0..9)
+    ) {
+        let float = |ring: &Vec<[i32; 2]>| -> Vec<[f64; 2]> {
+            ring.iter().map(|vertex| vertex.map(f64::from)).collect()
+        };
+        let rings: Vec<_> = rings.iter().map(float).collect();
+        let polygons = Polygon::many(&rings);
+        prop_assert_eq!(polygons.len(), rings.len());
+        for (polygon, ring) in polygons.into_iter().zip(rings) {
+            match (polygon, Polygon::new(&ring)) {
+                (Err(error), Err(expected)) => prop_assert_eq!(error.status, expected.status),
+                (polygon, expected) => prop_assert_eq!(polygon, expected),
+            }
+        }
     }
 
     #[test]
@@ -71,7 +101,7 @@ proptest! {
 
     #[test]
     fn no_fit_polygons_are_sums(a in polygons(), b in polygons()) {
-        let expected = sum(&a, &negated(&b)).unwrap().wkt();
+        let expected = sum(&a, &-&b).unwrap().wkt();
         let no_fit = no_fit_polygon(&a, &b, [0., 0.], &Options::new()).unwrap();
         let entrance = entrance_block(&b, &a, [0., 0.], &Options::new()).unwrap();
         prop_assert_eq!(no_fit.wkt(), &*expected);

@@ -3,10 +3,12 @@
 
 //! Known results through the whole interface.
 
+use std::collections::HashSet;
+
 use gcv::status::*;
 use gcv::EdgeSource::*;
 use gcv::{entrance_block, minkowski_sum, no_fit_polygon, superset};
-use gcv::{Error, Options, OuterFace, Polygon, SupersetEdge};
+use gcv::{Error, ErrorKind, Options, OuterFace, Polygon, SupersetEdge};
 
 const SQUARE: [[f64; 2]; 4] = [[0., 0.], [1., 0.], [1., 1.], [0., 1.]];
 const SQUARE_2: [[f64; 2]; 4] = [[0., 0.], [2., 0.], [2., 2.], [0., 2.]];
@@ -37,7 +39,8 @@ fn polygon_properties() {
     assert_eq!(polygon.vertices(), vertices);
     assert_eq!(polygon.area(), Ok(2.));
     assert_eq!(polygon.bounds(), [0., 0., 2., 1.]);
-    let debug = "Polygon([[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]])";
+    let rings = "[[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]]";
+    let debug = format!("Polygon {{ ring_count: 1, rings: {rings} }}");
     assert_eq!(format!("{polygon:?}"), debug);
 }
 
@@ -50,6 +53,7 @@ fn squares() {
     assert_eq!(face.area(), Ok(9.));
     assert_eq!(face.error_bound(), 0.);
     assert_eq!(face.wkt(), "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
+    assert_eq!(face.to_string(), face.wkt());
     let debug = "OuterFace([[0.0, 0.0], [3.0, 0.0], [3.0, 3.0], [0.0, 3.0]])";
     assert_eq!(format!("{face:?}"), debug);
     let again = Polygon::from_wkt(&face.wkt()).unwrap();
@@ -63,6 +67,26 @@ fn polygon_outlives_its_face() {
     drop(face);
     let face = sum(&polygon, &polygon).unwrap();
     assert_eq!(face.area(), Ok(36.));
+}
+
+#[test]
+fn equal_faces() {
+    let face = sum(&polygon(&SQUARE), &polygon(&SQUARE_2)).unwrap();
+    let clone = face.clone();
+    let again = sum(&polygon(&SQUARE_2), &polygon(&SQUARE)).unwrap();
+    let other = sum(&polygon(&SQUARE), &polygon(&SQUARE)).unwrap();
+    assert!(face == again && face != other);
+    drop(face);
+    assert_eq!(HashSet::from([clone, again, other]).len(), 2);
+
+    // Different exact rings that are the same one in doubles.
+    let scale = 2_f64.powi(53);
+    let moved = |shift: f64| polygon(&TRIANGLE.map(|[x, y]| [x + shift, y]));
+    let large = polygon(&TRIANGLE.map(|[x, y]| [scale * (x + 1.), scale * y]));
+    let (a, b) = (sum(&large, &moved(0.25)), sum(&large, &moved(0.5)));
+    let (a, b) = (a.unwrap(), b.unwrap());
+    assert_eq!(a.vertices(), b.vertices());
+    assert_ne!(a, b);
 }
 
 #[test]
@@ -169,11 +193,30 @@ fn refused() {
     let error = Polygon::from_wkt("POLYGON ((0 0, 1 0").unwrap_err();
     assert_eq!(error.status, GCV_ERR_PARSE);
     assert_eq!(error.status_name(), "GCV_ERR_PARSE");
+    assert_eq!(error.kind(), ErrorKind::Parse);
     assert!(!error.to_string().is_empty());
 
     let square = polygon(&SQUARE);
     let error = no_fit_polygon(&square, &square, [f64::NAN, 0.], &Options::new()).unwrap_err();
     assert_eq!(error.status, GCV_ERR_NOT_FINITE);
+}
+
+#[test]
+fn kinds_of_errors() {
+    let kind = |status| {
+        let message = String::new();
+        Error { status, message }.kind()
+    };
+    assert_eq!(kind(GCV_ERR_INVALID_ARGUMENT), ErrorKind::InvalidArgument);
+    assert_eq!(kind(GCV_ERR_NOT_FINITE), ErrorKind::NotFinite);
+    assert_eq!(kind(GCV_ERR_DEGENERATE), ErrorKind::Degenerate);
+    assert_eq!(kind(GCV_ERR_NOT_SIMPLE), ErrorKind::NotSimple);
+    assert_eq!(kind(GCV_ERR_RANGE), ErrorKind::Range);
+    assert_eq!(kind(GCV_ERR_PARSE), ErrorKind::Parse);
+    assert_eq!(kind(GCV_ERR_NO_MEMORY), ErrorKind::NoMemory);
+    assert_eq!(kind(GCV_ERR_CANCELLED), ErrorKind::Cancelled);
+    assert_eq!(kind(GCV_ERR_INTERNAL), ErrorKind::Internal);
+    assert_eq!(kind(77), ErrorKind::Unknown);
 }
 
 #[test]
@@ -188,6 +231,7 @@ fn out_of_range() {
 fn threads() {
     fn shareable<T: Send + Sync>() {}
     shareable::<OuterFace>();
+    shareable::<Polygon>();
     shareable::<Options>();
 
     let (a, b) = (polygon(&NOTCHED), polygon(&TRIANGLE));

@@ -1,0 +1,52 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Affine maps, and where they take the vertices as passed."""
+
+from __future__ import annotations
+
+from array import array
+from typing import Any, Optional
+
+from ._coordinates import Points, Rings, numbers, points
+
+
+def six_numbers(matrix: Any) -> array[float]:
+    """The numbers of a matrix of 2 rows and 3 columns, or of a flat one."""
+    try:
+        rows = list(matrix)
+        values = [x for row in rows for x in row] if len(rows) == 2 else rows
+    except TypeError:
+        values = []
+    return numbers(values, 6, "matrix", matrix, "2 rows of 3 numbers, or 6 numbers")
+
+
+def moved(given: Rings, matrix: array[float], images: list[Points]) -> Optional[Rings]:
+    """The rings as passed, moved: the vertices of the normalised images in that order.
+
+    None where a vertex was dropped, for then the images do not have all of them.
+    """
+    rings = []
+    for ring, image in zip(map(points, given), images):
+        is_closed = ring[0] == ring[-1]
+        count = len(ring) - is_closed
+        if count != len(image):
+            return None
+        start = image.index(_image(matrix, ring[0]))
+        step = 1 if image[(start + 1) % count] == _image(matrix, ring[1]) else -1
+        order = (image[(start + step * k) % count] for k in range(len(ring)))
+        rings.append(array("d", [c for vertex in order for c in vertex]).tobytes())
+    return rings
+
+
+def _image(matrix: array[float], point: tuple[float, float]) -> tuple[float, float]:
+    x, y = point
+    m00, m01, m02, m10, m11, m12 = matrix
+    return _row(m00, m01, m02, x, y), _row(m10, m11, m12, x, y)
+
+
+def _row(m0: float, m1: float, m2: float, x: float, y: float) -> float:
+    """The float nearest to m0 x + m1 y + m2, in integers: faster than in fractions."""
+    (a, p), (b, q), (c, r) = (value.as_integer_ratio() for value in (m0, m1, m2))
+    (u, s), (v, t) = x.as_integer_ratio(), y.as_integer_ratio()
+    p, q = p * s, q * t
+    return (a * u * q * r + b * v * p * r + c * p * q) / (p * q * r)

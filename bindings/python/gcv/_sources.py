@@ -1,0 +1,99 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Reading polygons from anything.
+
+The types of all that a polygon can be made from, and the rings of a source of any of
+these types, be it a shape, a file, a text, or what _coordinates reads.
+"""
+
+from __future__ import annotations
+
+from array import array
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any, Optional, Protocol, Union
+
+from . import _ffi
+from ._coordinates import (
+    Rings,
+    geometry_of_text,
+    ring_in_buffer,
+    rings_of,
+    unfit,
+    without_elevations,
+)
+from ._handles import created_of_wkt
+from ._shape import Shape
+
+
+class SupportsArrayInterface(Protocol):
+    """An array in the manner of numpy."""
+
+    @property
+    def __array_interface__(self) -> dict[str, Any]: ...
+
+
+class SupportsGeoInterface(Protocol):
+    """A geometry in the manner of shapely."""
+
+    @property
+    def __geo_interface__(self) -> Mapping[str, Any]: ...
+
+
+PolygonLike = Union[
+    Shape,
+    str,
+    bytes,
+    Path,
+    SupportsArrayInterface,
+    SupportsGeoInterface,
+    "array[float]",
+    "memoryview[Any]",
+    Mapping[str, Any],
+    Iterable[Iterable[float]],
+]
+"""All that Polygon can be made from."""
+
+
+def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
+    """The rings of a source, and the handle of its polygon where it was made on the way."""
+    if isinstance(source, Shape):
+        return source._numbered(), None
+    ring = ring_in_buffer(source)
+    if ring is not None:
+        return [ring], None
+    if isinstance(source, Path):
+        source = source.read_bytes()
+    if isinstance(source, (str, bytes, bytearray)):
+        text = source.encode(errors="replace") if isinstance(source, str) else bytes(source)
+        geometry = geometry_of_text(text)
+        if geometry is None:
+            return created_of_wkt(without_elevations(text))
+        source = geometry
+    return rings_of(source), None
+
+
+def read_holes(sources: Iterable[PolygonLike]) -> Rings:
+    """The one ring of each hole."""
+    return [_hole(source, k) for k, source in enumerate(iterable(sources, "holes"))]
+
+
+def _hole(source: PolygonLike, index: int) -> bytes:
+    try:
+        rings, _ = read(source)
+    except _ffi.Error as error:
+        raise _ffi.named(error, f"polygon: hole {index}") from None
+    if len(rings) != 1:
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT, f"polygon: hole {index} has {len(rings)} rings, not one"
+        )
+    return rings[0]
+
+
+def iterable(sources: Any, name: str) -> Iterable[Any]:
+    """An iterator of the sources, which the argument of that name should be."""
+    try:
+        iterator: Iterable[Any] = iter(sources)
+        return iterator
+    except TypeError:
+        raise unfit(name, sources, "a sequence of polygons") from None

@@ -1,0 +1,62 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+//! What the library made, and ends when nothing uses it any more.
+
+use std::ptr::NonNull;
+use std::sync::Arc;
+
+use gcv_sys as sys;
+
+/// What the library makes, shares and ends.
+pub(crate) trait Made {
+    /// Ends it. The pointer is to what is alive and is not used again.
+    const DESTROY: unsafe extern "C" fn(*mut Self);
+}
+
+impl Made for sys::gcv_polygon {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_polygon_destroy;
+}
+
+impl Made for sys::gcv_outer_face {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_outer_face_destroy;
+}
+
+impl Made for sys::gcv_superset {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_superset_destroy;
+}
+
+/// A handle of the library. It never changes, so that its clones are the same one.
+pub(crate) struct Handle<T: Made>(Arc<Owned<T>>);
+
+struct Owned<T: Made>(NonNull<T>);
+
+// SAFETY: what the library made does not change from its creation to its destruction, and
+// the library lets any thread use it and any thread end it.
+unsafe impl<T: Made> Send for Owned<T> {}
+unsafe impl<T: Made> Sync for Owned<T> {}
+
+impl<T: Made> Handle<T> {
+    /// # Safety
+    /// The pointer is to what is alive, and is not owned by anything else.
+    pub(crate) unsafe fn own(pointer: NonNull<T>) -> Self {
+        Self(Arc::new(Owned(pointer)))
+    }
+
+    pub(crate) fn as_ptr(&self) -> *const T {
+        self.0 .0.as_ptr()
+    }
+}
+
+impl<T: Made> Clone for Handle<T> {
+    fn clone(&self) -> Self {
+        Self(Arc::clone(&self.0))
+    }
+}
+
+impl<T: Made> Drop for Owned<T> {
+    fn drop(&mut self) {
+        // SAFETY: it is owned and not used again.
+        unsafe { T::DESTROY(self.0.as_ptr()) }
+    }
+}

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "options.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+
+#include "error.hpp"
+#include "parallel.hpp"
+#include "text_of.hpp"
+
+namespace gcv::capi {
+
+namespace {
+
+// The options of the first version 0.1. No caller has fewer.
+struct FirstOptions {
+  std::uint32_t struct_size;
+  std::int32_t rounding;
+  double tolerance;
+};
+
+}  // namespace
+
+Rounding read_rounding(std::int32_t rounding, const char* where) {
+  if (rounding != GCV_ROUND_NEAREST && rounding != GCV_ROUND_OUTWARD) {
+    throw Error(Status::invalid_argument, "%srounding is %d, neither %d nor %d", where, rounding,
+                static_cast<int>(GCV_ROUND_NEAREST), static_cast<int>(GCV_ROUND_OUTWARD));
+  }
+  return static_cast<Rounding>(rounding);
+}
+
+void check_tolerance(double tolerance, const char* where) {
+  if (!(tolerance >= 0 && std::isfinite(tolerance))) {
+    throw Error(Status::invalid_argument, "%stolerance is %g, not a finite number from 0 on", where,
+                tolerance);
+  }
+}
+
+gcv_options read_options(const gcv_options* options) {
+  gcv_options known = GCV_OPTIONS_INIT;
+  if (options == nullptr) {
+    return known;
+  }
+  const std::uint32_t size = options->struct_size;
+  if (size != sizeof(FirstOptions) && size < sizeof(gcv_options)) {
+    throw Error(Status::invalid_argument,
+                "options: struct_size is %u, neither %zu nor at least %zu; initialise it with "
+                "GCV_OPTIONS_INIT",
+                size, sizeof(FirstOptions), sizeof(gcv_options));
+  }
+  const auto* const bytes = reinterpret_cast<const unsigned char*>(options);
+  for (std::size_t k = sizeof(gcv_options); k < size; ++k) {
+    if (bytes[k] != 0) {
+      throw Error(Status::invalid_argument,
+                  "options: byte %zu of %u is set, for an option that version " GCV_TEXT(
+                      GCV_VERSION_MAJOR) "." GCV_TEXT(GCV_VERSION_MINOR) " does not know",
+                  k, size);
+    }
+  }
+  std::memcpy(&known, options, std::min<std::size_t>(size, sizeof known));
+  static_cast<void>(read_rounding(known.rounding, "options: "));
+  check_tolerance(known.tolerance, "options: ");
+  if (known.threads < 0) {
+    throw Error(Status::invalid_argument, "options: threads is %d, below 0", known.threads);
+  }
+  return known;
+}
+
+SumOptions sum_options(const gcv_options& options) {
+  return {static_cast<Rounding>(options.rounding), options.tolerance};
+}
+
+unsigned threads_of(const gcv_options& options) {
+  constexpr std::int32_t most = 256;
+  return options.threads == 0 ? available_threads()
+                              : static_cast<unsigned>(std::min(options.threads, most));
+}
+
+}  // namespace gcv::capi
+
+void gcv_options_init(gcv_options* options) {
+  if (options != nullptr) {
+    *options = GCV_OPTIONS_INIT;
+  }
+}
+
+void gcv_options_init_size(gcv_options* options, uint32_t struct_size) {
+  if (options == nullptr || struct_size < sizeof(gcv::capi::FirstOptions)) {
+    return;
+  }
+  gcv_options defaults = GCV_OPTIONS_INIT;
+  defaults.struct_size = struct_size;
+  std::memset(options, 0, struct_size);
+  std::memcpy(options, &defaults, std::min<std::size_t>(struct_size, sizeof defaults));
+}

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Reads and checks gcv_options of any version.
+#pragma once
+
+#include <cstdint>
+
+#include "gcv/gcv.h"
+#include "minkowski_sum.hpp"
+#include "simplification.hpp"
+
+namespace gcv::capi {
+
+// Both throw Error: invalid_argument, with a message that begins with `where`.
+Rounding read_rounding(std::int32_t rounding, const char* where);
+void check_tolerance(double tolerance, const char* where);
+
+// The options that this version knows. Takes a struct of any version, or NULL for the defaults.
+gcv_options read_options(const gcv_options* options);
+
+SumOptions sum_options(const gcv_options& options);
+
+// The number of threads that the options ask for.
+unsigned threads_of(const gcv_options& options);
+
+}  // namespace gcv::capi

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One computation as its caller sees it. It holds the number of threads that the computation may
+// use. It reports progress to the caller, who may cancel.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+namespace gcv {
+
+class Task {
+ public:
+  // Gets the number of steps done and an estimate of the number of all steps. The estimate is never
+  // below `done`. A result other than 0 cancels.
+  using Report = std::int32_t (*)(void* context, std::uint64_t done, std::uint64_t estimate);
+
+  // Work is done, and steps are reported, in portions of this size.
+  static constexpr std::uint64_t portion = 2048;
+
+  // A task on one thread that reports nothing.
+  Task() = default;
+  // `report` may be null. Only the thread that makes this object calls it.
+  Task(unsigned threads, Report report, void* context)
+      : threads_(threads), report_(report), context_(context) {}
+
+  [[nodiscard]] unsigned threads() const { return threads_; }
+
+  // Counts steps. Any thread may call it. Throws Error: cancelled, on every thread once the caller
+  // has cancelled.
+  void advance(std::uint64_t steps);
+
+  // Reports the steps of other threads. The calling thread calls it while it waits for them.
+  void watch();
+
+  // Makes the first report, with an estimate of the number of all steps. Throws Error: cancelled.
+  void begin(std::uint64_t estimate);
+
+  // Makes the last report. Throws Error: cancelled.
+  void finish();
+
+ private:
+  void tell(std::uint64_t estimate);
+  void check() const;
+
+  unsigned threads_ = 1;
+  Report report_ = nullptr;
+  void* context_ = nullptr;
+  std::uint64_t estimate_ = 0;
+  std::uint64_t reported_ = 0;
+  std::thread::id caller_ = std::this_thread::get_id();
+  std::atomic<std::uint64_t> done_{0};
+  std::atomic<bool> cancelled_{false};
+};
+
+}  // namespace gcv

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Exact numbers in integers of four widths. Every finite double is an integer multiple of a power
+// of two. So the operands of a predicate are integers on a common grid 2^exponent, and every
+// predicate is the sign of a polynomial in integers. The bits of the operands decide how wide the
+// integers must be: 128, 256 or 512 bits without heap memory, else GMP's. One formula serves all
+// widths.
+//
+// Heavy headers: include this in source files only.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <boost/multiprecision/cpp_int.hpp>
+#include <boost/multiprecision/gmp.hpp>
+#include <cassert>
+#include <climits>
+#include <cstdint>
+#include <initializer_list>
+
+#include "point.hpp"
+#include "tally.hpp"
+
+namespace gcv {
+
+// NOLINTNEXTLINE(modernize-use-using): `using` has no place for __extension__.
+__extension__ typedef __int128 Int128;
+
+template <unsigned bits>
+using FixedInteger = boost::multiprecision::number<
+    boost::multiprecision::cpp_int_backend<bits, bits, boost::multiprecision::signed_magnitude,
+                                           boost::multiprecision::unchecked, void>,
+    boost::multiprecision::et_off>;
+using Int256 = FixedInteger<256>;
+using Int512 = FixedInteger<512>;
+using BigInteger =
+    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
+
+inline int sign(Int128 value) { return (value > 0) - (value < 0); }
+template <class Integer>
+int sign(const Integer& value) {
+  return value.sign();
+}
+
+// x = mantissa * 2^exponent. The mantissa is odd or 0.
+struct Decomposed {
+  std::int64_t mantissa;
+  int exponent;
+};
+
+// The number of bits of the mantissa.
+inline int bit_length(const Decomposed& d) {
+  return static_cast<int>(
+      std::bit_width(static_cast<std::uint64_t>(d.mantissa < 0 ? -d.mantissa : d.mantissa)));
+}
+
+inline Decomposed decompose(double x) {
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto biased = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t fraction = bits & ((std::uint64_t{1} << 52) - 1);
+  const std::uint64_t magnitude = biased == 0 ? fraction : fraction | (std::uint64_t{1} << 52);
+  if (magnitude == 0) {
+    return {0, 0};
+  }
+  const int zeros = std::countr_zero(magnitude);
+  const auto odd = static_cast<std::int64_t>(magnitude >> zeros);
+  return {(bits >> 63) != 0 ? -odd : odd, std::max(biased, 1) - 1075 + zeros};
+}
+
+// The coarsest grid 2^exponent that holds all included numbers, and the bits of the largest of
+// these: |x| < 2^(exponent + bits).
+class Grid {
+ public:
+  Grid() = default;
+  Grid(std::initializer_list<Point> points) {
+    for (const Point& point : points) {
+      include(point);
+    }
+  }
+
+  void include(double x) {
+    const Decomposed d = decompose(x);
+    if (d.mantissa != 0) {
+      lowest_ = std::min(lowest_, d.exponent);
+      top_ = std::max(top_, d.exponent + bit_length(d));
+    }
+  }
+  void include(const Point& p) {
+    include(p.x);
+    include(p.y);
+  }
+  void include(const SumEdge& edge) {
+    include(edge.origin.a);
+    include(edge.origin.b);
+    include(edge.from);
+    include(edge.to);
+  }
+
+  [[nodiscard]] int exponent() const { return top_ == INT_MIN ? 0 : lowest_; }
+  [[nodiscard]] int bits() const { return top_ == INT_MIN ? 0 : top_ - lowest_; }
+
+  // x as a multiple of the unit of the grid. x must be included.
+  template <class Integer>
+  [[nodiscard]] Integer integer(double x) const {
+    const Decomposed d = decompose(x);
+    assert(includes(d));
+    Integer value(d.mantissa);
+    if (d.mantissa != 0) {
+      if constexpr (std::is_same_v<Integer, Int128>) {
+        value *= Int128{1} << (d.exponent - lowest_);
+      } else {
+        value <<= d.exponent - lowest_;
+      }
+    }
+    return value;
+  }
+
+ private:
+  [[nodiscard]] bool includes(const Decomposed& d) const {
+    return d.mantissa == 0 || (d.exponent >= lowest_ && d.exponent + bit_length(d) <= top_);
+  }
+
+  int lowest_ = INT_MAX;
+  int top_ = INT_MIN;
+};
+
+template <class Integer>
+struct Vector {
+  Integer x;
+  Integer y;
+};
+
+template <class Integer>
+Vector<Integer> vector_between(const Grid& grid, const Point& from, const Point& to) {
+  return {grid.integer<Integer>(to.x) - grid.integer<Integer>(from.x),
+          grid.integer<Integer>(to.y) - grid.integer<Integer>(from.y)};
+}
+
+template <class Integer>
+Vector<Integer> vector_between(const Grid& grid, const SumPoint& from, const SumPoint& to) {
+  const auto a = vector_between<Integer>(grid, from.a, to.a);
+  const auto b = vector_between<Integer>(grid, from.b, to.b);
+  return {a.x + b.x, a.y + b.y};
+}
+
+template <class Integer>
+Integer cross(const Vector<Integer>& v, const Vector<Integer>& w) {
+  return v.x * w.y - v.y * w.x;
+}
+
+// Runs formula<Integer>() with the narrowest integers that hold magnitudes of so many bits.
+template <class Formula>
+auto with_integers(int bits, Tally& tally, Formula formula) {
+  if (bits <= 512) {
+    ++tally.fixed_width;
+    if (bits <= 127) {
+      return formula.template operator()<Int128>();
+    }
+    if (bits <= 256) {
+      return formula.template operator()<Int256>();
+    }
+    return formula.template operator()<Int512>();
+  }
+  ++tally.rational;
+  return formula.template operator()<BigInteger>();
+}
+
+// The crossing of two superset edges, exactly: the point (x / w, y / w) * 2^exponent with w > 0.
+// The numbers are integers on the grid. The edges must not be parallel.
+//
+//   o_s + lambda d_s  with  lambda = N / D,  N = (o_t - o_s) x d_t,  D = d_s x d_t.
+//
+// Let b be the bits of the grid. Then |o| < 2^(b+1), |d| < 2^(b+1), |D| < 2^(2b+3) and
+// |N| < 2^(2b+4). So |x| < 2^(3b+6). With the shift r, where |r| < 2^b, it is |x| < 2^(3b+7).
+template <class Integer>
+struct HomogeneousPoint {
+  Integer x;
+  Integer y;
+  Integer w;
+};
+
+constexpr int crossing_bits(int grid_bits) { return 3 * grid_bits + 7; }
+
+template <class Integer>
+HomogeneousPoint<Integer> crossing(const Grid& grid, const SumEdge& s, const SumEdge& t,
+                                   const Point& shift) {
+  const auto ds = vector_between<Integer>(grid, s.from, s.to);
+  const auto dt = vector_between<Integer>(grid, t.from, t.to);
+  const auto offset = vector_between<Integer>(grid, s.origin, t.origin);
+  Integer n = cross(offset, dt);
+  Integer d = cross(ds, dt);
+  assert(sign(d) != 0);
+  if (sign(d) < 0) {
+    n = -n;
+    d = -d;
+  }
+  const Integer ox = grid.integer<Integer>(s.origin.a.x) + grid.integer<Integer>(s.origin.b.x) +
+                     grid.integer<Integer>(shift.x);
+  const Integer oy = grid.integer<Integer>(s.origin.a.y) + grid.integer<Integer>(s.origin.b.y) +
+                     grid.integer<Integer>(shift.y);
+  return {ox * d + n * ds.x, oy * d + n * ds.y, d};
+}
+
+}  // namespace gcv

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The exact tier of the predicates: integers of a fixed width if these suffice, else GMP's. Names
+// and meanings are as in predicates.hpp.
+#pragma once
+
+#include "point.hpp"
+#include "tally.hpp"
+
+namespace gcv::exact {
+
+int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally);
+int side(const SumEdge& s, const SumPoint& point, Tally& tally);
+int compare_sums(double a, double b, double c, double d, Tally& tally);
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally);
+
+}  // namespace gcv::exact

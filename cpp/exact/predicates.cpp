@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Error bounds. Let u = 2^-53, and eta = 2^-1074 the smallest double. Rounding to nearest gives
+// fl(x + y) = (x + y)(1 + e) with |e| <= u, always, because sums do not underflow. It gives
+// fl(x y) = x y (1 + e) + h with |h| <= eta / 2. An overflow makes a bound infinite or NaN. Then
+// "|value| > bound" is false, and the next tier decides. So every bound below holds for every
+// finite input.
+//
+// The build turns fused multiply-add off. The bounds would hold with it. But filters would decide
+// otherwise from compiler to compiler, and so would the statistics.
+#include "predicates.hpp"
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "double_double.hpp"
+#include "exact_predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr double cross_error = 8 * unit_roundoff;
+constexpr double underflow_error = 8 * std::numeric_limits<double>::denorm_min();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+struct Approximation {
+  double value;
+  double error;
+};
+
+// d x w for a direction d and an offset w = p + q. Each coordinate of d, p and q is a difference
+// that was rounded once. Let m = fl(|p| + |q|), and let capitals be the exact numbers.
+//
+// It is |w - W| <= 2u(1 + 4u) m, |w| <= (1 + 3u) m and |d - D| <= u |d|.
+// So |dx wy - Dx Wy| <= 3u(1 + 8u) |dx| my.
+// The rounding of the product adds at most u(1 + 4u) |dx| my + eta / 2.
+// The rounding of the subtraction adds at most u(1 + 8u) (|dx| my + |dy| mx).
+// All together is less than 6u (|dx| my + |dy| mx) + eta.
+// The error computed here is 8u (...) + 8 eta. It has three roundings and underflows of its own,
+// and is larger all the same.
+Approximation cross_of_offset(double dx, double dy, const SumPoint& from, const SumPoint& to) {
+  const double px = to.a.x - from.a.x;
+  const double py = to.a.y - from.a.y;
+  const double qx = to.b.x - from.b.x;
+  const double qy = to.b.y - from.b.y;
+  const double value = dx * (py + qy) - dy * (px + qx);
+  const double size =
+      std::abs(dx) * (std::abs(py) + std::abs(qy)) + std::abs(dy) * (std::abs(px) + std::abs(qx));
+  return {value, cross_error * size + underflow_error};
+}
+
+// v x w with each coordinate rounded once. The bound is the same, with W = p and q = 0.
+Approximation cross_of_directions(double vx, double vy, double wx, double wy) {
+  const double left = vx * wy;
+  const double right = vy * wx;
+  return {left - right, cross_error * (std::abs(left) + std::abs(right)) + underflow_error};
+}
+
+bool certain(const Approximation& a) { return std::abs(a.value) > a.error; }
+
+int sign_of(double x) { return (x > 0) - (x < 0); }
+
+bool are_equal(const DoubleDouble& p, const DoubleDouble& q) {
+  return p.is_exact && q.is_exact && p.hi == q.hi && p.lo == q.lo;
+}
+
+// The sign of a b - c d. Nothing if it is out of range. If the products round to different doubles,
+// these decide, because rounding is monotonic. Else the rounding errors decide.
+std::optional<int> compare_products(double a, double b, double c, double d) {
+  const double left = a * b;
+  const double right = c * d;
+  if (left != right) {
+    return sign_of(left - right);
+  }
+  if ((a == 0 || b == 0) && (c == 0 || d == 0)) {
+    return 0;
+  }
+  if (!(std::abs(left) >= 0x1p-900 && std::abs(left) <= 0x1p1000)) {
+    return std::nullopt;
+  }
+  return sign_of(std::fma(a, b, -left) - std::fma(c, d, -right));
+}
+
+// The sign of v x w (see double_double_cross). Nothing if it is too close to 0 or out of range.
+//
+// Most ties are on grids of few bits. There all coordinates are doubles. Most other ties come from
+// the sum of a polygon with itself.
+std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleDoubleVector& w) {
+  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
+    return compare_products(v.x.hi, w.y.hi, v.y.hi, w.x.hi);
+  }
+  if (are_equal(v.x, w.x) && are_equal(v.y, w.y)) {
+    return 0;
+  }
+  const DoubleDoubleCross cross = double_double_cross(v, w);
+  return std::abs(cross.hi) > cross.error ? std::optional(sign_of(cross.hi)) : std::nullopt;
+}
+
+// The further tiers are functions of their own. The registers that they need would double the time
+// of the first tier.
+[[gnu::noinline]] int undecided_turn(const Point& p0, const Point& p1, const Point& q0,
+                                     const Point& q1, Tally& tally) {
+  if ((p0.x == p1.x && q0.x == q1.x) || (p0.y == p1.y && q0.y == q1.y)) {  // along one axis
+    ++tally.filtered;
+    return 0;
+  }
+  if (const auto sign =
+          double_double_sign(double_double_vector(p0, p1), double_double_vector(q0, q1))) {
+    ++tally.fixed_width;
+    return *sign;
+  }
+  return exact::turn(p0, p1, q0, q1, tally);
+}
+
+[[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  if (const auto sign = double_double_sign(double_double_vector(s.from, s.to),
+                                           double_double_vector(s.origin, point))) {
+    ++tally.fixed_width;
+    return *sign;
+  }
+  return exact::side(s, point, tally);
+}
+
+}  // namespace
+
+int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
+  const Approximation approximation =
+      cross_of_directions(p1.x - p0.x, p1.y - p0.y, q1.x - q0.x, q1.y - q0.y);
+  if (!certain(approximation)) {
+    return undecided_turn(p0, p1, q0, q1, tally);
+  }
+  ++tally.filtered;
+  return sign_of(approximation.value);
+}
+
+int orientation(const Point& p, const Point& q, const Point& r, Tally& tally) {
+  return turn(p, q, p, r, tally);
+}
+
+int side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  const Approximation approximation = cross_of_offset(s.dx, s.dy, s.origin, point);
+  if (!certain(approximation)) {
+    return undecided_side(s, point, tally);
+  }
+  ++tally.filtered;
+  return sign_of(approximation.value);
+}
+
+// Rounding is monotonic. So sums that round to different doubles compare as these do. Sums that
+// round to the same double compare as their rounding errors do.
+int compare_sums(double a, double b, double c, double d, Tally& tally) {
+  const double first = a + b;
+  const double second = c + d;
+  const double difference =
+      first != second ? first - second : rounding_error(a, b, first) - rounding_error(c, d, second);
+  if (std::isfinite(first) && std::isfinite(second) && !std::isnan(difference)) {
+    ++tally.filtered;
+    return sign_of(difference);
+  }
+  return exact::compare_sums(a, b, c, d, tally);
+}
+
+// lambda_t = N / D as in crossing(). Let N' and D' be exact, |N - N'| <= eN, |D - D'| <= eD and
+// |D| > 2 eD. Then |D'| >= |D| / 2, so
+//   |N' / D' - N / D| = |(N' - N) D - N (D' - D)| / |D D'| <= 2 (eN + |N / D| eD) / |D|.
+// The roundings of the quotient, lo and hi are below 4u |N / D|. Those of the bound are below 16u
+// of the bound. The smallest normal double covers underflow.
+Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
+  const Approximation n = cross_of_offset(-t.dx, -t.dy, s.origin, t.origin);
+  const Approximation d = cross_of_directions(s.dx, s.dy, t.dx, t.dy);
+  const double size = std::abs(d.value);
+  if (!(size > 2 * d.error)) {
+    return {-infinity, infinity};
+  }
+  const double quotient = n.value / d.value;
+  const double error =
+      (1 + 16 * unit_roundoff) * (2 * (n.error + std::abs(quotient) * d.error) / size +
+                                  4 * unit_roundoff * std::abs(quotient)) +
+      std::numeric_limits<double>::min();
+  if (!std::isfinite(quotient) || !std::isfinite(error)) {
+    return {-infinity, infinity};
+  }
+  return {quotient - error, quotient + error};
+}
+
+// The lo parts are below 4u of the hi parts. The roundings of the sum of the lo parts are below
+// 16u^2. The rounding of the last sum keeps the sign. The smallest normal double covers quotients
+// that underflow. Other underflows are far below the errors of numbers that are in range.
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+  const DoubleDoubleParameter p = double_double_parameter(s, t);
+  const DoubleDoubleParameter q = double_double_parameter(s, r);
+  const double hi = p.hi - q.hi;
+  const double difference = hi + (rounding_error(p.hi, -q.hi, hi) + (p.lo - q.lo));
+  const double error = p.error + q.error +
+                       32 * unit_roundoff * unit_roundoff * (std::abs(p.hi) + std::abs(q.hi)) +
+                       std::numeric_limits<double>::min();
+  if (std::abs(difference) > 2 * error) {
+    ++tally.fixed_width;
+    return sign_of(difference);
+  }
+  if (p.is_fraction && q.is_fraction) {
+    if (const std::optional<int> order = compare_products(p.n, q.d, q.n, p.d)) {
+      ++tally.fixed_width;
+      return *order * sign_of(p.d) * sign_of(q.d);
+    }
+  }
+  return exact::compare_crossings(s, t, r, tally);
+}
+
+}  // namespace gcv

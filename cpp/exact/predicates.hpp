@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The geometric predicates. They are exact for all finite doubles. Each has four tiers: a filter in
+// doubles with a proven error bound (see predicates.cpp), double-double, integers of fixed width,
+// GMP's integers.
+//
+// Axioms. orientation(p, q, r) = orientation(q, r, p) = -orientation(q, p, r). side and
+// compare_crossings do not change when the polygons are translated, if the translated vertices are
+// doubles.
+#pragma once
+
+#include "point.hpp"
+#include "tally.hpp"
+
+namespace gcv {
+
+// The sign of (q - p) x (r - p): 1 if p, q, r turn left, -1 if they turn right, 0 if they are
+// collinear.
+int orientation(const Point& p, const Point& q, const Point& r, Tally& tally);
+
+// The sign of (p1 - p0) x (q1 - q0). It is 1 if the second direction is to the left of the first,
+// by less than half a turn.
+int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally);
+
+// The side of the line of s on which the point lies: 1 left, -1 right, 0 on the line.
+int side(const SumEdge& s, const SumPoint& point, Tally& tally);
+
+// The sign of (a + b) - (c + d).
+int compare_sums(double a, double b, double c, double d, Tally& tally);
+
+// The sign of lambda_t - lambda_r. The line of t crosses the line of s in o_s + lambda_t d_s, and
+// the line of r in o_s + lambda_r d_s. Neither t nor r may be parallel to s.
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally);
+
+// Doubles that enclose lambda_t, maybe -inf and inf. Disjoint intervals decide compare_crossings.
+struct Interval {
+  double lo;
+  double hi;
+};
+Interval crossing_parameter(const SumEdge& s, const SumEdge& t);
+
+}  // namespace gcv

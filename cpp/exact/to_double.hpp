@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Correct rounding of a fraction of integers to a double.
+// Heavy headers: include this in source files only.
+#pragma once
+
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "double_double_rounding.hpp"
+#include "exact_numbers.hpp"
+
+namespace gcv {
+
+inline int bit_length(Int128 value) {
+  const auto high = static_cast<std::uint64_t>(value >> 64);
+  return high != 0 ? 64 + static_cast<int>(std::bit_width(high))
+                   : static_cast<int>(std::bit_width(static_cast<std::uint64_t>(value)));
+}
+template <class Integer>
+int bit_length(const Integer& value) {
+  return static_cast<int>(msb(value)) + 1;
+}
+
+inline std::pair<Int128, Int128> divide(Int128 n, Int128 d) {
+  return {n / d, n % d};  // NOLINT(clang-analyzer-core.DivideZero): denominators are positive
+}
+
+template <class Integer>
+std::pair<Integer, Integer> divide(const Integer& n, const Integer& d) {
+  std::pair<Integer, Integer> result;
+  divide_qr(n, d, result.first, result.second);
+  return result;
+}
+
+// The bits that integers need to round n / w, where n and w are below 2^bits.
+constexpr int rounding_bits(int bits) { return bits + 58; }
+
+// The double nearest to n / w * 2^exponent, ties to even. w must be positive.
+//
+// A power of two scales the fraction to a quotient of 55 or 56 bits. Its bits below the last bit of
+// the double, and the remainder, tell which way to round.
+template <class Integer>
+RoundedNumber nearest_double(Integer n, Integer w, int exponent) {
+  assert(sign(w) > 0);
+  const int negative = sign(n);
+  if (negative == 0) {
+    return {0.0, true};
+  }
+  if (negative < 0) {
+    n = -n;
+  }
+  const int shift = 55 - (bit_length(n) - bit_length(w));
+  if (shift >= 0) {
+    n <<= shift;
+  } else {
+    w <<= -shift;
+  }
+  const auto [quotient, remainder] = divide(n, w);
+  const auto digits = static_cast<std::uint64_t>(quotient);
+  const int unit = exponent - shift;  // digits count units of 2^unit
+  const int last = std::max(unit + static_cast<int>(std::bit_width(digits)) - 53, -1074);
+  const int dropped = last - unit;  // at least 2
+  if (dropped > 57) {
+    return {negative < 0 ? -0.0 : 0.0, false};  // below half the smallest double
+  }
+  const std::uint64_t rest = digits & ((std::uint64_t{1} << dropped) - 1);
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  const bool sticky = sign(remainder) != 0;
+  std::uint64_t mantissa = digits >> dropped;
+  if (rest > half || (rest == half && (sticky || (mantissa & 1) != 0))) {
+    ++mantissa;
+  }
+  const double magnitude = std::ldexp(static_cast<double>(mantissa), last);
+  return {negative < 0 ? -magnitude : magnitude, rest == 0 && !sticky};
+}
+
+}  // namespace gcv

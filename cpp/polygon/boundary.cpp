@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "boundary.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "cycle.hpp"
+#include "error.hpp"
+#include "predicates.hpp"
+#include "simplicity.hpp"
+
+namespace gcv {
+
+namespace {
+
+// A boundary in preparation. Each point has the caller's number of the vertex and that of the edge
+// behind it. The turn at a point is 1 for left, -1 for right, 0 for straight on or back.
+struct Chain {
+  struct Mark {
+    Index vertex_number;
+    Index edge_number;
+    int turn;
+  };
+  PointVector points;
+  Buffer<Mark> marks;
+
+  [[nodiscard]] std::size_t size() const { return points.size(); }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return cyclic_next(i, size()); }
+  [[nodiscard]] std::size_t previous(std::size_t i) const { return cyclic_previous(i, size()); }
+};
+
+void check_finite(std::span<const Point> boundary, const CallersNumbers& numbers,
+                  const char* name) {
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    const Point& p = boundary[i];
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+      throw Error(
+          Status::not_finite, "%s: the %s coordinate of vertex %zu is %g, not a finite number",
+          name, std::isfinite(p.x) ? "y" : "x", numbers.first + i, std::isfinite(p.x) ? p.y : p.x);
+    }
+  }
+}
+
+// Leaves out the closing vertex and repeated vertices. Of equal vertices in a row it keeps the
+// last, because the edge behind the last leads on.
+Chain without_repetitions(PointVector boundary, const CallersNumbers& numbers) {
+  std::size_t count = boundary.size();
+  while (count > 1 && boundary[count - 1] == boundary[0]) {
+    --count;
+  }
+  Chain chain{std::move(boundary), Buffer<Chain::Mark>(count)};
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Point p = chain.points[i];
+    if (i + 1 < count && chain.points[i + 1] == p) {
+      continue;
+    }
+    // Adding 0 turns -0 into 0.
+    chain.points[kept] = {p.x + 0.0, p.y + 0.0};
+    const auto number = static_cast<Index>(numbers.first + i);
+    chain.marks[kept++] = numbers.corners.empty() ? Chain::Mark{number, number, 0}
+                                                  : Chain::Mark{numbers.corners[i].vertex_number,
+                                                                numbers.corners[i].edge_number, 0};
+  }
+  chain.points.resize(kept);
+  chain.marks.resize(kept);
+  return chain;
+}
+
+void find_turns(Chain& chain) {
+  Tally tally;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    chain.marks[i].turn = orientation(chain.points[chain.previous(i)], chain.points[i],
+                                      chain.points[chain.next(i)], tally);
+  }
+}
+
+bool all_collinear(const Chain& chain) {
+  return std::all_of(chain.marks.begin(), chain.marks.end(),
+                     [](const Chain::Mark& mark) { return mark.turn == 0; });
+}
+
+// Does the chain turn back at q? The points p, q, r must be collinear, and q must differ from p and
+// r.
+bool turns_back(const Point& p, const Point& q, const Point& r) {
+  return p.x == q.x ? (p.y < q.y) != (q.y < r.y) : (p.x < q.x) != (q.x < r.x);
+}
+
+void check_simple(const Chain& chain, const Box& bounds, const char* name) {
+  if (is_convex_ring(chain.points, [&](std::size_t i) { return chain.marks[i].turn; })) {
+    return;
+  }
+  const auto conflict = find_conflict(chain.points, bounds);
+  if (!conflict) {
+    return;
+  }
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const std::size_t before = chain.previous(i);
+    const Point& q = chain.points[i];
+    if (chain.marks[i].turn == 0 &&
+        turns_back(chain.points[before], q, chain.points[chain.next(i)])) {
+      throw Error(Status::not_simple,
+                  "%s: edges %u and %u overlap: the ring turns back at vertex %u (%.17g, %.17g)",
+                  name, chain.marks[before].edge_number, chain.marks[i].edge_number,
+                  chain.marks[i].vertex_number, q.x, q.y);
+    }
+  }
+  const Point& p = chain.points[conflict->first];
+  const Point& q = chain.points[conflict->second];
+  throw Error(Status::not_simple,
+              "%s: edges %u and %u meet; they start at (%.17g, %.17g) and (%.17g, %.17g)", name,
+              chain.marks[conflict->first].edge_number, chain.marks[conflict->second].edge_number,
+              p.x, p.y, q.x, q.y);
+}
+
+// Takes the corners of a simple chain, from the lexicographically smallest one. Goes
+// counter-clockwise, or clockwise for a hole. If that is against the given direction, the edge
+// behind a corner is the edge that led to it. Of the caller's edges on one straight line, the last
+// is then the first.
+void take_corners(const Chain& chain, Boundary::Kind kind, Boundary& ring) {
+  const std::size_t first = lexicographic_min(chain.points);
+  const int left = chain.marks[first].turn;  // the turn at a smallest point is never 0
+  const bool is_hole = kind == Boundary::Kind::hole;
+  const bool forwards = (left > 0) != is_hole;
+  const auto n = static_cast<std::size_t>(
+      std::count_if(chain.marks.begin(), chain.marks.end(),
+                    [](const Chain::Mark& mark) { return mark.turn != 0; }));
+  ring.kind = kind;
+  ring.layout = RingLayout(static_cast<Index>(n));
+  ring.vertices.resize(n);
+  ring.corners.resize(n);
+  ring.is_convex = true;
+  std::size_t corner = 0;
+  std::size_t i = first;
+  do {
+    const std::size_t before = chain.previous(i);
+    if (chain.marks[i].turn != 0) {
+      const bool is_convex = (chain.marks[i].turn == left) != is_hole;
+      ring.vertices[corner] = chain.points[i];
+      ring.corners[corner] = {chain.marks[i].vertex_number,
+                              chain.marks[forwards ? i : before].edge_number, is_convex};
+      ring.is_convex = ring.is_convex && is_convex;
+      ++corner;
+    }
+    i = forwards ? chain.next(i) : before;
+  } while (i != first);
+}
+
+// Does the ring hold what boundary.hpp promises? Does not test simplicity, which would take longer.
+[[maybe_unused]] bool is_normalised(const Boundary& ring) {
+  return ring.vertices.size() >= 3 && ring.corners.size() == ring.vertices.size() &&
+         ring.lexicographic_min == 0 && lexicographic_min(ring.vertices) == 0 &&
+         is_counter_clockwise(ring.vertices) == (ring.kind == Boundary::Kind::outer);
+}
+
+}  // namespace
+
+Boundary make_ring(PointVector boundary, const char* name, Boundary::Kind kind,
+                   const CallersNumbers& numbers) {
+  const std::size_t given = boundary.size();
+  if (given > vertex_limit - numbers.first) {
+    throw Error(Status::invalid_argument, "%s: %zu vertices are more than %zu", name,
+                numbers.first + given, vertex_limit);
+  }
+  check_finite(boundary, numbers, name);
+  Chain chain = without_repetitions(std::move(boundary), numbers);
+  if (chain.size() < 3) {
+    throw Error(Status::degenerate,
+                "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed", name,
+                chain.size(), given);
+  }
+  find_turns(chain);
+  if (all_collinear(chain)) {
+    throw Error(Status::degenerate, "%s: all %zu vertices lie on one line", name, given);
+  }
+  Boundary ring;
+  ring.bounds = box_of(chain.points);
+  check_simple(chain, ring.bounds, name);
+  take_corners(chain, kind, ring);
+  ring.lexicographic_max = static_cast<Index>(first_of(
+      ring.vertices, [](const Point& p, const Point& q) { return lexicographically_less(q, p); }));
+  assert(is_normalised(ring));
+  return ring;
+}
+
+const LineDirections& Boundary::line_directions() const {
+  return line_directions_.get([this] {
+    if (mirror_ == nullptr) {
+      return sort_line_directions(vertices, layout, is_convex);
+    }
+    LineDirections directions = mirror_->line_directions();
+    for (LineDirections::Edge& edge : directions.edges) {
+      edge.points_up = !edge.points_up;
+    }
+    return directions;
+  });
+}
+
+const ChainIndex& Boundary::index() const {
+  return index_.get([this] {
+    PointVector points(std::size_t{size()} + layout.ring_count());
+    std::size_t place = 0;
+    for (Index ring = 0; ring < layout.ring_count(); ++ring) {
+      for (Index i = layout.begin(ring); i < layout.end(ring); ++i) {
+        points[place++] = relative(i);
+      }
+      points[place++] = relative(layout.begin(ring));
+    }
+    const EdgeChain chain(std::move(points), layout);
+    ChainIndex index{build_chain_tree(chain), {}};
+    index.spheres = build_swept_spheres(index.tree, chain);
+    return index;
+  });
+}
+
+Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
+  Boundary all = outer;
+  for (const Boundary& hole : holes) {
+    all.vertices.insert(all.vertices.end(), hole.vertices.begin(), hole.vertices.end());
+    all.corners.insert(all.corners.end(), hole.corners.begin(), hole.corners.end());
+    all.layout.add(hole.size());
+  }
+  all.is_convex = outer.is_convex && holes.empty();
+  return all;
+}
+
+Boundary Boundary::reflected(std::shared_ptr<const Boundary> ring) {
+  assert(ring->size() >= 3);
+  Boundary result = *ring;
+  // 0 - x rather than -x: the reflection of 0 is 0, not -0.
+  for (Point& p : result.vertices) {
+    p = {0.0 - p.x, 0.0 - p.y};
+  }
+  const Box& bounds = ring->bounds;
+  result.bounds = {0.0 - bounds.x1, 0.0 - bounds.y1, 0.0 - bounds.x0, 0.0 - bounds.y0};
+  std::swap(result.lexicographic_min, result.lexicographic_max);
+  result.mirror_ = std::move(ring);
+  return result;
+}
+
+}  // namespace gcv

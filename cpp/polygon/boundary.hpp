@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// One ring of a polygon, or all of its rings: validated, normalised, and prepared for sums. It
+// holds everything that depends on one polygon alone. It does not change once it is made.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "box.hpp"
+#include "buffer.hpp"
+#include "chain_tree.hpp"
+#include "lazy.hpp"
+#include "line_directions.hpp"
+#include "point.hpp"
+#include "ring_layout.hpp"
+#include "swept_spheres.hpp"
+
+namespace gcv {
+
+// The most vertices that a polygon can have.
+inline constexpr std::size_t vertex_limit = 0x7fffffff;
+
+// Finds the edges of a ring that are near a point. Boxes and line-swept spheres have the same
+// blocks.
+struct ChainIndex {
+  ChainTree tree;
+  std::vector<SweptSphereBlock> spheres;
+};
+
+struct Boundary {
+  // The solid is to the left of every edge. So outer rings are counter-clockwise and holes are
+  // clockwise.
+  enum class Kind : std::uint8_t { outer, hole };
+
+  // The first vertex is the lexicographically smallest. No vertex is repeated, and no three in a
+  // row are collinear. Edge i goes from vertex i to the next one on its ring. If there are several
+  // rings, the outer one comes first.
+  PointVector vertices;
+  RingLayout layout;
+
+  // What belongs to vertex i and to the edge behind it.
+  struct Corner {
+    Index vertex_number;  // the caller's
+    Index edge_number;    // the caller's; if edges were merged, that of the first along the ring
+    bool convex;          // is the solid strictly convex here? Else it is strictly reflex
+  };
+  Buffer<Corner> corners;
+  bool is_convex = false;   // all vertices are
+  Kind kind = Kind::outer;  // of the first ring
+
+  Box bounds{};
+  Index lexicographic_min = 0;
+  Index lexicographic_max = 0;
+
+  [[nodiscard]] Index size() const { return static_cast<Index>(vertices.size()); }
+  [[nodiscard]] Index next(Index i) const { return layout.next(i); }
+  [[nodiscard]] Index previous(Index i) const { return layout.previous(i); }
+
+  // Vertex i relative to vertex 0, rounded. Searches filter with it, so that they filter as well
+  // far from the origin as near it. Each coordinate is off by at most u times its size.
+  [[nodiscard]] Point relative(Index i) const {
+    const Point& p = vertices[i];
+    const Point& origin = vertices.front();
+    return {p.x - origin.x, p.y - origin.y};
+  }
+
+  // The line direction of edge i, as the direction from one point to another.
+  struct LineDirection {
+    const Point& from;
+    const Point& to;
+  };
+  [[nodiscard]] LineDirection line_direction(Index i) const {
+    const Point& p = vertices[i];
+    const Point& q = vertices[next(i)];
+    return points_up(p, q) ? LineDirection{p, q} : LineDirection{q, p};
+  }
+
+  // The two next parts are made on first use. A sum of two convex polygons needs neither, and so do
+  // most sums of a convex polygon and another.
+  [[nodiscard]] const LineDirections& line_directions() const;
+  // Over relative vertices. Sums with few superset edges do not use it.
+  [[nodiscard]] const ChainIndex& index() const;
+
+  // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
+  // edge points the other way. O(n): the line directions are sorted once for both.
+  static Boundary reflected(std::shared_ptr<const Boundary> ring);
+
+ private:
+  std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
+  Lazy<LineDirections> line_directions_;
+  Lazy<ChainIndex> index_;
+};
+
+// An outer ring and its holes as one.
+Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
+
+// The caller's numbers of the vertices of a boundary and of the edges behind them. These are the
+// numbers of the corners. Without corners, they count from `first`.
+struct CallersNumbers {
+  std::size_t first = 0;
+  std::span<const Boundary::Corner> corners = {};
+};
+
+// Makes a ring from a boundary. The boundary may have either orientation, may be closed or not, and
+// may have repeated and collinear vertices. `name` is its name in messages, such as "polygon".
+// Throws Error: invalid_argument, not_finite, degenerate, not_simple.
+Boundary make_ring(PointVector boundary, const char* name,
+                   Boundary::Kind kind = Boundary::Kind::outer, const CallersNumbers& numbers = {});
+
+}  // namespace gcv

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The exact coordinates of a vertex of the exact ring, as integers over a common denominator. Heavy
+// headers: include this in source files only.
+#pragma once
+
+#include "exact_numbers.hpp"
+#include "exact_ring.hpp"
+
+namespace gcv {
+
+// A vertex of the exact ring. Holds the numbers that its coordinates are computed from, and their
+// grid.
+class ExactVertex {
+ public:
+  ExactVertex(const ExactRing& ring, std::size_t k)
+      : vertex_(ring.vertices[k]), shift_(ring.shift) {
+    if (vertex_.is_sum()) {
+      sum_ = {ring.a.ring->vertices[vertex_.i()], ring.b.ring->vertices[vertex_.j()]};
+      grid_ = Grid{sum_.a, sum_.b, shift_};
+    } else {
+      s_ = coordinates(*ring.a.ring, *ring.b.ring, vertex_.arriving());
+      t_ = coordinates(*ring.a.ring, *ring.b.ring, vertex_.leaving());
+      grid_ = Grid{shift_};
+      grid_.include(s_);
+      grid_.include(t_);
+    }
+  }
+
+  [[nodiscard]] bool is_sum() const { return vertex_.is_sum(); }
+  [[nodiscard]] const SumPoint& sum() const { return sum_; }
+  [[nodiscard]] const Grid& grid() const { return grid_; }
+
+  // The bits of x, y and w in homogeneous().
+  [[nodiscard]] int bits() const {
+    return vertex_.is_sum() ? grid_.bits() + 2 : crossing_bits(grid_.bits());
+  }
+
+  // The vertex is (x / w, y / w) * 2^grid().exponent(), with w > 0.
+  template <class Integer>
+  [[nodiscard]] HomogeneousPoint<Integer> homogeneous() const {
+    if (!vertex_.is_sum()) {
+      return crossing<Integer>(grid_, s_, t_, shift_);
+    }
+    const auto add = [&](double p, double q, double r) {
+      return Integer(grid_.integer<Integer>(p) + grid_.integer<Integer>(q) +
+                     grid_.integer<Integer>(r));
+    };
+    return {add(sum_.a.x, sum_.b.x, shift_.x), add(sum_.a.y, sum_.b.y, shift_.y), Integer(1)};
+  }
+
+ private:
+  RingVertex vertex_;
+  Point shift_;
+  SumPoint sum_{};
+  SumEdge s_{};
+  SumEdge t_{};
+  Grid grid_;
+};
+
+}  // namespace gcv

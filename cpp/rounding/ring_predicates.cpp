@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "ring_predicates.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <optional>
+#include <type_traits>
+
+#include "double_double.hpp"
+#include "exact_coordinates.hpp"
+#include "predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+template <class Integer>
+std::string to_text(const Integer& value) {
+  return value.str();
+}
+
+// Used instead of str(), which leaks GMP's text if there is no memory for a copy of it.
+std::string to_text(const BigInteger& value) {
+  std::string text(mpz_sizeinbase(value.backend().data(), 10) + 2, '\0');
+  mpz_get_str(text.data(), 10, value.backend().data());
+  text.resize(text.find('\0'));
+  return text;
+}
+
+// n / w * 2^exponent, in lowest terms.
+template <class Integer>
+std::string fraction(Integer n, Integer w, int exponent) {
+  if (exponent >= 0) {
+    n <<= exponent;
+  } else {
+    w <<= -exponent;
+  }
+  const Integer divisor = gcd(n, w);
+  return to_text(Integer(n / divisor)) + "/" + to_text(Integer(w / divisor));
+}
+
+// The side of the line on which the crossing of s and t lies. Nothing if it is too close to the
+// line.
+//
+// The side is the sign of d x (o_s - o) + lambda (d x d_s), where d and o are those of the line.
+// Error bound. Each lo part is below 4u of its hi part; all lo parts are below 8u of both terms.
+// Their roundings and the product of two lo parts, which is left out, are below 64u^2 of both
+// terms. The smallest normal double covers underflow.
+std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const SumEdge& t) {
+  const DoubleDoubleVector direction = double_double_vector(line.from, line.to);
+  const DoubleDoubleCross offset =
+      double_double_cross(direction, double_double_vector(line.origin, s.origin));
+  const DoubleDoubleCross along =
+      double_double_cross(direction, double_double_vector(s.from, s.to));
+  const DoubleDoubleParameter lambda = double_double_parameter(s, t);
+  const double way = lambda.hi * along.hi;
+  const double way_lo =
+      std::fma(lambda.hi, along.hi, -way) + (lambda.hi * along.lo + lambda.lo * along.hi);
+  const double hi = offset.hi + way;
+  const double value = hi + (rounding_error(offset.hi, way, hi) + (offset.lo + way_lo));
+  const double error = offset.error + (2 * std::abs(lambda.hi) + lambda.error) * along.error +
+                       2 * lambda.error * std::abs(along.hi) +
+                       64 * unit_roundoff * unit_roundoff * (std::abs(offset.hi) + std::abs(way)) +
+                       std::numeric_limits<double>::min();
+  return std::abs(value) > 2 * error ? std::optional(value > 0 ? 1 : -1) : std::nullopt;
+}
+
+}  // namespace
+
+// For a crossing (x / w, y / w) the side is the sign of d x ((x, y) - w o). Let b be the bits of
+// the grid. The second factor is below 2^(3b+7), so the result is below 2^(4b+9).
+int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
+  const SumEdge line = coordinates(*ring.a.ring, *ring.b.ring, ring.vertices[edge].leaving());
+  const RingVertex& v = ring.vertices[vertex];
+  if (v.is_sum()) {
+    return side(line, {ring.a.ring->vertices[v.i()], ring.b.ring->vertices[v.j()]}, tally);
+  }
+  const SumEdge s = coordinates(*ring.a.ring, *ring.b.ring, v.arriving());
+  const SumEdge t = coordinates(*ring.a.ring, *ring.b.ring, v.leaving());
+  if (const std::optional<int> side = side_in_doubles(line, s, t)) {
+    ++tally.fixed_width;
+    return *side;
+  }
+  Grid grid;
+  grid.include(line);
+  grid.include(s);
+  grid.include(t);
+  return with_integers(4 * grid.bits() + 9, tally, [&]<class Integer>() {
+    const auto p = crossing<Integer>(grid, s, t, {0, 0});
+    const auto sum = [&](double x, double y) {
+      return Integer(grid.integer<Integer>(x) + grid.integer<Integer>(y));
+    };
+    const Vector<Integer> offset{p.x - p.w * sum(line.origin.a.x, line.origin.b.x),
+                                 p.y - p.w * sum(line.origin.a.y, line.origin.b.y)};
+    return sign(cross(vector_between<Integer>(grid, line.from, line.to), offset));
+  });
+}
+
+std::string exact_vertex(const ExactRing& ring, std::size_t k) {
+  const ExactVertex vertex(ring, k);
+  const int exponent = vertex.grid().exponent();
+  // At least 128 bits, because Int128 has no conversion to text.
+  const int bits = std::max(128, vertex.bits() + std::abs(exponent));
+  Tally tally;
+  return with_integers(bits, tally, [&]<class Integer>() -> std::string {
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      return {};
+    } else {
+      const auto p = vertex.homogeneous<Integer>();
+      return fraction(p.x, p.w, exponent) + " " + fraction(p.y, p.w, exponent);
+    }
+  });
+}
+
+}  // namespace gcv

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Units in the last place, and sums of error bounds.
+#pragma once
+
+#include "point.hpp"
+
+namespace gcv {
+
+// The distance from |x| to the next double.
+double unit_in_last_place(double x);
+
+// The units in the last place of the largest x and of the largest y of the points.
+Point units_in_last_place(const PointVector& points);
+
+// At least x + y. x and y must not be negative.
+double sum_bound(double x, double y);
+
+}  // namespace gcv

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "equal_chains.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <unordered_map>
+
+#include "limits.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr Rank no_cone = std::numeric_limits<Rank>::max();
+
+// An edge, but for its place: the exact way from its start to its end as two sums of doubles, and
+// the rank from which the cone of its start turns to it.
+using EdgeKey = std::array<std::uint64_t, 5>;
+
+// The numbers of the chains below a node; 0 stands for a missing one.
+using ChainKey = std::array<std::uint32_t, ChainTree::width>;
+
+struct Hash {
+  template <class Key>
+  std::size_t operator()(const Key& key) const {
+    std::uint64_t hash = 0;
+    for (const auto part : key) {
+      hash = (hash ^ part) * 0x9e3779b97f4a7c15;
+      hash ^= hash >> 32U;
+    }
+    return hash;
+  }
+};
+
+template <class Key>
+using NumberOf = std::unordered_map<Key, std::uint32_t, Hash>;
+
+// Numbers the edges and the chains of both polygons.
+class Numbering {
+ public:
+  explicit Numbering(const Operands& operands) : operands_(operands) {}
+
+  // Nothing where few are repeated, or where numbers overflow.
+  EqualChains run() {
+    const Directions& directions = operands_.directions;
+    const std::optional<Edges> a = number_edges(operands_.a, directions.rank_a);
+    const std::optional<Edges> b = number_edges(operands_.b, directions.rank_b);
+    if (!a || !b || edge_numbers_.size() > at_most(a->size() + b->size())) {
+      return {};
+    }
+    EqualChains chains{number_chains(operands_.a.index().tree, *a),
+                       number_chains(operands_.b.index().tree, *b), false};
+    const std::size_t all = chains.a.size() + chains.b.size();
+    if (chain_numbers_.size() > at_most(all)) {
+      return {};
+    }
+    chains.prevail = limits::chains_a_different_one * chain_numbers_.size() <= all;
+    return chains;
+  }
+
+ private:
+  using Edges = std::vector<std::uint32_t>;
+
+  // How many different ones there may be of so many.
+  static std::size_t at_most(std::size_t all) {
+    return all - all / 4 * (4 - limits::different_of_four);
+  }
+
+  template <class Key>
+  std::uint32_t number(NumberOf<Key>& numbers, const Key& key) {
+    const auto [place, is_new] = numbers.try_emplace(key, last_ + 1);
+    last_ += is_new ? 1 : 0;
+    return place->second;
+  }
+
+  // Nothing where a coordinate of an edge overflows.
+  std::optional<Edges> number_edges(const Boundary& polygon, const Ranks& ranks) {
+    Edges edges(polygon.size());
+    for (Index i = 0; i < polygon.size(); ++i) {
+      const Point& p = polygon.vertices[i];
+      const Point& q = polygon.vertices[polygon.next(i)];
+      const DoubleDouble x = two_sum(q.x, -p.x);
+      const DoubleDouble y = two_sum(q.y, -p.y);
+      if (!x.is_exact || !y.is_exact) {
+        return std::nullopt;
+      }
+      const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
+      const EdgeKey key{bits(x.hi), bits(x.lo), bits(y.hi), bits(y.lo),
+                        polygon.corners[i].convex ? ranks[polygon.previous(i)] : no_cone};
+      // Where another ring starts, chains go on elsewhere.
+      edges[i] = polygon.layout.starts_another(i) ? ++last_ : number(edge_numbers_, key);
+    }
+    return edges;
+  }
+
+  EqualChains::Numbers number_chains(const ChainTree& tree, const Edges& edges) {
+    constexpr std::uint32_t width = ChainTree::width;
+    EqualChains::Numbers numbers(tree.blocks.size());
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      numbers[tree.first_block.back() + i / width][i % width] = edges[i];
+    }
+    for (std::size_t depth = tree.first_block.size() - 1; depth > 0; --depth) {
+      const std::uint32_t first = tree.first_block[depth];
+      const std::size_t end =
+          depth + 1 < tree.first_block.size() ? tree.first_block[depth + 1] : numbers.size();
+      for (std::uint32_t k = 0; first + k < end; ++k) {
+        numbers[tree.first_block[depth - 1] + k / width][k % width] =
+            number(chain_numbers_, numbers[first + k]);
+      }
+    }
+    return numbers;
+  }
+
+  const Operands& operands_;
+  NumberOf<EdgeKey> edge_numbers_;
+  NumberOf<ChainKey> chain_numbers_;
+  std::uint32_t last_ = 0;
+};
+
+// Does each line direction belong to so many edges on average, and has each polygon enough of them?
+bool directions_are_repeated(const Operands& operands, std::size_t times) {
+  const Index a = operands.a.size();
+  const Index b = operands.b.size();
+  return std::min(a, b) >= limits::fewest_edges_with_equal_chains &&
+         times * operands.directions.half_turn <= std::size_t{a} + b;
+}
+
+}  // namespace
+
+bool chains_can_prevail(const Operands& operands) {
+  return directions_are_repeated(operands, limits::edges_a_direction_to_prevail);
+}
+
+EqualChains find_equal_chains(const Operands& operands) {
+  return directions_are_repeated(operands, limits::edges_a_direction) ? Numbering(operands).run()
+                                                                      : EqualChains{};
+}
+
+}  // namespace gcv

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Every threshold by which a search is chosen, and what it weighs. What the caches keep adapts by
+// rules of their own, in place_cache.cpp and ahead_cache.cpp.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace gcv::limits {
+
+// A table holds so many superset edges at most: half of what five levels of eight children hold,
+// which is what a search has room for on its stack.
+inline constexpr std::uint64_t most_table_edges = 16384;
+
+// Equal chains are looked for where both polygons have so many edges: smaller sums are quick as
+// they are.
+inline constexpr std::uint32_t fewest_edges_with_equal_chains = 64;
+// And where so many edges on average have the same line direction: equal edges need equal
+// directions, and directions are counted already.
+inline constexpr std::size_t edges_a_direction = 2;
+// They are used where so many of four edges, and of four chains, differ at most: else a search
+// meets few of them again, and pays for asking.
+inline constexpr std::size_t different_of_four = 3;
+// They prevail, so that the trees with equal chains are searched in place of a table, where one of
+// so many chains differs, and where so many edges have the same line direction.
+inline constexpr std::size_t chains_a_different_one = 4;
+inline constexpr std::size_t edges_a_direction_to_prevail = 8;
+
+// Sorting both polygons along a line costs about as much as looking at so many superset edges for
+// each of their vertices. It is done once as much has been spent on steps that went straight on,
+// where a step costs as much as looking at so many edges.
+inline constexpr std::uint64_t line_price_a_vertex = 2;
+inline constexpr std::uint64_t line_cost_of_a_step = 8;
+
+}  // namespace gcv::limits

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "tree_product.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gcv {
+
+namespace {
+
+double mean_edge_size_of(const Operands& operands) {
+  double sum = 0;
+  for (const Boundary* polygon : {&operands.a, &operands.b}) {
+    for (Index i = 0; i < polygon->size(); ++i) {
+      const Point p = polygon->relative(i);
+      const Point q = polygon->relative(polygon->next(i));
+      sum += std::max(std::abs(q.x - p.x), std::abs(q.y - p.y));
+    }
+  }
+  return sum / (static_cast<double>(operands.a.size()) + operands.b.size());
+}
+
+}  // namespace
+
+TreeProduct::TreeProduct(const Operands& operands, EqualChains chains)
+    : operands_(operands),
+      a_{operands.a.index().tree, operands.a.index().spheres,
+         node_sectors(operands.a, operands.directions.rank_a), std::move(chains.a)},
+      b_{operands.b.index().tree, operands.b.index().spheres,
+         node_sectors(operands.b, operands.directions.rank_b), std::move(chains.b)},
+      mean_edge_size_(mean_edge_size_of(operands)) {}
+
+// Sector numbers grow with ranks, so a rank in the range lies in one of them.
+Sectors TreeProduct::sectors(Rank first, Rank last) const {
+  constexpr std::uint64_t most = 64;
+  const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
+  const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
+  const Sectors from_first = ~Sectors{0} << sector(first);
+  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
+  return first <= last ? from_first & to_last : from_first | to_last;
+}
+
+std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,
+                                                                const Ranks& ranks) const {
+  constexpr std::uint32_t width = ChainTree::width;
+  const ChainTree& tree = polygon.index().tree;
+  const std::vector<std::uint32_t>& first_block = tree.first_block;
+  std::vector<SectorBlock> result(tree.blocks.size());
+  for (Index i = 0; i < polygon.size(); ++i) {
+    SectorBlock& block = result[first_block.back() + i / width];
+    block.edges[i % width] = sectors(ranks[i], ranks[i]);
+    block.cones[i % width] =
+        polygon.corners[i].convex ? sectors(ranks[polygon.previous(i)], ranks[i]) : 0;
+  }
+  for (std::size_t depth = first_block.size() - 1; depth-- > 0;) {
+    const std::uint32_t children = first_block[depth + 1];
+    const std::size_t end = depth + 2 < first_block.size() ? first_block[depth + 2] : result.size();
+    for (std::uint32_t k = 0; children + k < end; ++k) {
+      const SectorBlock& child = result[children + k];
+      SectorBlock& block = result[first_block[depth] + k / width];
+      block.edges[k % width] = child.edges[0] | child.edges[1] | child.edges[2] | child.edges[3];
+      block.cones[k % width] = child.cones[0] | child.cones[1] | child.cones[2] | child.cones[3];
+    }
+  }
+  return result;
+}
+
+}  // namespace gcv

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "minkowski_sum.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "box.hpp"
+#include "contributing_vertices.hpp"
+#include "directions.hpp"
+#include "edge_sources.hpp"
+#include "error.hpp"
+#include "outer_face.hpp"
+#include "outward.hpp"
+#include "units.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The extreme coordinates of the sum are those of vertices of its outer face. Where one is
+// not finite, nor is a search in doubles of use: better to know before the walk.
+void check_extremes(const Operand& a, const Operand& b) {
+  const auto check = [&](const char* name, double x, double y) {
+    if (!std::isfinite(x + y)) {
+      throw Error(
+          Status::range,
+          "the %s coordinate of the outer face, the sum of %g of %s and %g of %s, is beyond "
+          "the largest double",
+          name, x, a.name, y, b.name);
+    }
+  };
+  const Box& box_a = a.ring->bounds;
+  const Box& box_b = b.ring->bounds;
+  check("smallest x", box_a.x0, box_b.x0);
+  check("largest x", box_a.x1, box_b.x1);
+  check("smallest y", box_a.y0, box_b.y0);
+  check("largest y", box_a.y1, box_b.y1);
+}
+
+Operand simplified_operand(const Operand& operand, const SumOptions& options) {
+  const Simplified near = simplified_for_sum(operand.ring, options);
+  return {near.ring, operand.name, near.error_bound};
+}
+
+// The coordinate that is the sum of x of a and y of b.
+double finite_sum(double x, double y) {
+  const double sum = x + y;
+  if (!std::isfinite(sum)) {
+    throw Error(Status::range,
+                "superset: the sum of %g of a and %g of b is beyond the largest double", x, y);
+  }
+  return sum + 0.0;
+}
+
+Point finite_sum(const SumPoint& point) {
+  return {finite_sum(point.a.x, point.b.x), finite_sum(point.a.y, point.b.y)};
+}
+
+}  // namespace
+
+std::uint64_t estimated_steps(const Boundary& a, const Boundary& b) {
+  return 2 * (std::uint64_t{a.size()} + b.size());
+}
+
+Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
+                              const SumOptions& options) {
+  return simplify(polygon, options.tolerance / 2, options.rounding,
+                  3 * polygon->vertices.size() / 4);
+}
+
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
+                        Task& task) {
+  const Boundary& pa = *a.ring;
+  const Boundary& pb = *b.ring;
+  if (shift == Point{0, 0}) {
+    check_extremes(a, b);
+  }
+  OuterFace face;
+  Tally& tally = face.counts.predicates;
+  Walk walk = walk_outer_face(pa, pb, task, tally);
+  face.counts.walk_steps = walk.steps;
+  face.counts.candidate_edges = walk.candidates;
+  face.exact = {a, b, shift, std::move(walk.vertices), walk.chains_are_repeated};
+  const auto outer_face_of = [&](const Boundary& p, const Boundary& q) {
+    return walk_outer_face(p, q, task, tally).vertices;
+  };
+  face.rounded = rounding == Rounding::nearest
+                     ? round_to_nearest(face.exact, task, tally)
+                     : round_outward(face.exact, outer_face_of, task, tally);
+  face.rounded.error_bound =
+      sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
+  return face;
+}
+
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
+                        const SumOptions& options, Task& task) {
+  task.begin(estimated_steps(*a.ring, *b.ring));
+  const Operand near_a = simplified_operand(a, options);
+  task.advance(0);
+  const Operand near_b = a.ring == b.ring ? Operand{near_a.ring, b.name, near_a.error_bound}
+                                          : simplified_operand(b, options);
+  OuterFace face = minkowski_sum(near_a, near_b, shift, options.rounding, task);
+  task.finish();
+  return face;
+}
+
+std::vector<SupersetEdge> superset(const Boundary& a, const Boundary& b) {
+  Tally tally;
+  const Operands operands{a, b, merge_directions(a, b, tally)};
+  std::vector<SupersetEdge> edges = enumerate_superset(operands);
+  for (SupersetEdge& edge : edges) {
+    edge.source = in_callers_numbers(edge.source, a, b);
+  }
+  return edges;
+}
+
+std::vector<RoundedSupersetEdge> rounded_superset(const Boundary& a, const Boundary& b) {
+  std::vector<RoundedSupersetEdge> rounded;
+  for (const SupersetEdge& edge : superset(a, b)) {
+    rounded.push_back({finite_sum(edge.from), finite_sum(edge.to), edge.source});
+  }
+  return rounded;
+}
+
+}  // namespace gcv

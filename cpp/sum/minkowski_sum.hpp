@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The whole way from two polygons to the ring of doubles: simplification within the tolerance,
+// the exact outer face of the sum, rounding.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "boundary.hpp"
+#include "exact_ring.hpp"
+#include "rounding.hpp"
+#include "simplification.hpp"
+#include "superset.hpp"
+#include "tally.hpp"
+#include "task.hpp"
+
+namespace gcv {
+
+struct SumOptions {
+  Rounding rounding = Rounding::nearest;
+  double tolerance = 0;
+};
+
+struct Counts {
+  std::uint64_t walk_steps = 0;
+  std::uint64_t candidate_edges = 0;
+  Tally predicates;
+};
+
+struct OuterFace {
+  ExactRing exact;
+  RoundedRing rounded;
+  Counts counts;
+};
+
+// A guess of the steps of a sum: edges walked and vertices rounded.
+std::uint64_t estimated_steps(const Boundary& a, const Boundary& b);
+
+// An operand within half of the tolerance of the given polygon: the errors of both operands add
+// up in the sum. The polygon itself where a simplification would not save a quarter of its
+// vertices, for it would save no time.
+Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
+                              const SumOptions& options);
+
+// The outer face of a + b + shift, of these operands as they are. Their error bounds count in the
+// error bound of the result. Throws Error: range, cancelled, internal.
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
+                        Task& task);
+
+// The outer face of a + b + shift, of the operands simplified within the tolerance. The task is
+// reported from its start to its end. Throws Error: range, cancelled, internal.
+OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
+                        const SumOptions& options, Task& task);
+
+// The explicit superset of a + b, its sources in the callers' numbers.
+std::vector<SupersetEdge> superset(const Boundary& a, const Boundary& b);
+
+// A superset edge in doubles: each coordinate is correctly rounded.
+struct RoundedSupersetEdge {
+  Point from;
+  Point to;
+  EdgeSource source;
+};
+
+// The explicit superset in doubles. Throws Error: range.
+std::vector<RoundedSupersetEdge> rounded_superset(const Boundary& a, const Boundary& b);
+
+}  // namespace gcv
