@@ -104,6 +104,11 @@ class Crossings {
   Random& random_;
 };
 
+bool are_parallel(const Grid& grid, const SumEdge& s, const SumEdge& t) {
+  return sign(cross(vector_between<BigInteger>(grid, s.from, s.to),
+                    vector_between<BigInteger>(grid, t.from, t.to))) == 0;
+}
+
 TEST(RoundedCrossing, IsNearestWhereItIsCertain) {
   Random random(33);
   Crossings crossings(random);
@@ -120,10 +125,10 @@ TEST(RoundedCrossing, IsNearestWhereItIsCertain) {
     Grid grid{shift};
     grid.include(s);
     grid.include(t);
-    const auto p = crossing<BigInteger>(grid, s, t, shift);
-    if (!rounded || p.w == 0) {
+    if (!rounded || are_parallel(grid, s, t)) {
       continue;
     }
+    const auto p = crossing<BigInteger>(grid, s, t, shift);
     ++certain;
     exact += rounded->x.exact ? 1 : 0;
     const RoundedNumber x = nearest_double(p.x, p.w, grid.exponent());
@@ -147,8 +152,8 @@ TEST(RoundedCrossing, IsNotCertainWhereParametersAreOutOfRange) {
     grid.include(s);
     grid.include(t);
     const auto rounded = rounded_crossing(s, t, {0, 0});
-    const auto p = crossing<BigInteger>(grid, s, t, {0, 0});
-    if (rounded && p.w != 0) {
+    if (rounded && !are_parallel(grid, s, t)) {
+      const auto p = crossing<BigInteger>(grid, s, t, {0, 0});
       ASSERT_EQ(rounded->x.value, nearest_double(p.x, p.w, grid.exponent()).value);
       ASSERT_EQ(rounded->y.value, nearest_double(p.y, p.w, grid.exponent()).value);
     }
