@@ -199,21 +199,29 @@ const LineDirections& Boundary::line_directions() const {
   });
 }
 
+EdgeChain Boundary::relative_chain() const {
+  PointVector points(std::size_t{size()} + layout.ring_count());
+  std::size_t place = 0;
+  for (Index ring = 0; ring < layout.ring_count(); ++ring) {
+    for (Index i = layout.begin(ring); i < layout.end(ring); ++i) {
+      points[place++] = relative(i);
+    }
+    points[place++] = relative(layout.begin(ring));
+  }
+  return {std::move(points), layout};
+}
+
 const ChainIndex& Boundary::index() const {
   return index_.get([this] {
-    PointVector points(std::size_t{size()} + layout.ring_count());
-    std::size_t place = 0;
-    for (Index ring = 0; ring < layout.ring_count(); ++ring) {
-      for (Index i = layout.begin(ring); i < layout.end(ring); ++i) {
-        points[place++] = relative(i);
-      }
-      points[place++] = relative(layout.begin(ring));
-    }
-    const EdgeChain chain(std::move(points), layout);
+    const EdgeChain chain = relative_chain();
     ChainIndex index{build_chain_tree(chain), {}};
     index.spheres = build_swept_spheres(index.tree, chain);
     return index;
   });
+}
+
+const std::vector<ChordBlock>& Boundary::chords() const {
+  return chords_.get([this] { return build_chords(index().tree, relative_chain(), layout); });
 }
 
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
@@ -225,6 +233,29 @@ Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
   }
   all.is_convex = outer.is_convex && holes.empty();
   return all;
+}
+
+Boundary Boundary::complement() const {
+  Boundary result;
+  result.layout = layout;
+  result.vertices.resize(size());
+  result.corners.resize(size());
+  for (Index ring = 0; ring < layout.ring_count(); ++ring) {
+    Index from = layout.begin(ring);
+    for (Index i = from; i < layout.end(ring); ++i) {
+      const Corner& corner = corners[from];
+      const Index before = previous(from);
+      result.vertices[i] = vertices[from];
+      result.corners[i] = {corner.vertex_number, corners[before].edge_number, !corner.convex};
+      from = before;
+    }
+  }
+  result.kind = kind == Kind::outer ? Kind::hole : Kind::outer;
+  result.bounds = bounds;
+  result.lexicographic_min = lexicographic_min;
+  result.lexicographic_max =
+      lexicographic_max == 0 ? 0 : layout.end(layout.ring_of(lexicographic_max)) - lexicographic_max;
+  return result;
 }
 
 Boundary Boundary::reflected(std::shared_ptr<const Boundary> ring) {

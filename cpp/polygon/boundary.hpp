@@ -13,6 +13,7 @@
 #include "box.hpp"
 #include "buffer.hpp"
 #include "chain_tree.hpp"
+#include "chords.hpp"
 #include "lazy.hpp"
 #include "line_directions.hpp"
 #include "point.hpp"
@@ -84,15 +85,22 @@ struct Boundary {
   [[nodiscard]] const LineDirections& line_directions() const;
   // Over relative vertices. Sums with few superset edges do not use it.
   [[nodiscard]] const ChainIndex& index() const;
+  // For the blocks of the index.
+  [[nodiscard]] const std::vector<ChordBlock>& chords() const;
 
   // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
   // edge points the other way. O(n): the line directions are sorted once for both.
   static Boundary reflected(std::shared_ptr<const Boundary> ring);
+  // The complement: the solid is on the other side of all rings. The same numbers.
+  [[nodiscard]] Boundary complement() const;
 
  private:
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
+  Lazy<std::vector<ChordBlock>> chords_;
+
+  [[nodiscard]] EdgeChain relative_chain() const;
 };
 
 // An outer ring and its holes as one.

@@ -61,6 +61,24 @@ Polygon polygon_of(std::size_t ring_count, const char* name, Make make) {
 
 }  // namespace
 
+Polygon Polygon::reflected(std::shared_ptr<const Polygon> polygon) {
+  const auto ring = [&polygon](std::size_t k) {
+    return Boundary::reflected({polygon, &polygon->ring(k)});
+  };
+  Polygon result(ring(0));
+  result.holes.reserve(polygon->holes.size());
+  for (std::size_t k = 1; k < polygon->ring_count(); ++k) {
+    result.holes.push_back(ring(k));
+  }
+  result.mirror_ = std::move(polygon);
+  return result;
+}
+
+Boundary Polygon::all_rings() const {
+  return mirror_ == nullptr ? joined(outer, holes)
+                            : Boundary::reflected({mirror_, &mirror_->boundary()});
+}
+
 std::vector<const Boundary*> rings_of(const Polygon& polygon) {
   std::vector<const Boundary*> rings;
   rings.reserve(polygon.ring_count());

@@ -26,13 +26,20 @@ struct Polygon {
   [[nodiscard]] const Boundary& ring(std::size_t k) const { return k == 0 ? outer : holes[k - 1]; }
   // All rings as one, made when it is first asked for.
   [[nodiscard]] const Boundary& boundary() const {
-    return holes.empty() ? outer : *boundary_.get([this] {
-      return std::make_unique<const Boundary>(joined(outer, holes));
-    });
+    return holes.empty()
+               ? outer
+               : *boundary_.get([this] { return std::make_unique<const Boundary>(all_rings()); });
   }
 
+  // The reflection { -p : p in the polygon }, ring by ring, with the same numbers. Keeps the
+  // polygon alive.
+  static Polygon reflected(std::shared_ptr<const Polygon> polygon);
+
  private:
+  std::shared_ptr<const Polygon> mirror_;  // the polygon that this one reflects
   Lazy<std::unique_ptr<const Boundary>> boundary_;
+
+  [[nodiscard]] Boundary all_rings() const;
 };
 
 // All of its rings, the outer one first.

@@ -213,27 +213,33 @@ void append(std::string& text, double value) {
   text.append(buffer.data(), result.ptr);
 }
 
-void append(std::string& text, const Point& point) {
+}  // namespace
+
+void append_point(std::string& text, const Point& point) {
   append(text, point.x);
   text += ' ';
   append(text, point.y);
 }
 
-}  // namespace
+void append_ring(std::string& text, std::span<const Point> ring) {
+  assert(!ring.empty());
+  text += '(';
+  for (const Point& point : ring) {
+    append_point(text, point);
+    text += ", ";
+  }
+  append_point(text, ring.front());
+  text += ')';
+}
 
 std::vector<PointVector> parse_polygon(std::string_view text, const char* name) {
   return Parser(text, name).polygon();
 }
 
 std::string format_polygon(std::span<const Point> ring) {
-  assert(!ring.empty());
-  std::string text = "POLYGON ((";
-  for (const Point& point : ring) {
-    append(text, point);
-    text += ", ";
-  }
-  append(text, ring.front());
-  text += "))";
+  std::string text = "POLYGON (";
+  append_ring(text, ring);
+  text += ')';
   return text;
 }
 

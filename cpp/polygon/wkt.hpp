@@ -21,4 +21,8 @@ std::vector<PointVector> parse_polygon(std::string_view text, const char* name);
 // it.
 std::string format_polygon(std::span<const Point> ring);
 
+// Parts of texts, in such numbers. "x y", and "(x y, ..., x y)", closed.
+void append_point(std::string& text, const Point& point);
+void append_ring(std::string& text, std::span<const Point> ring);
+
 }  // namespace gcv

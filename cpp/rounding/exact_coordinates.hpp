@@ -13,19 +13,22 @@ namespace gcv {
 // grid.
 class ExactVertex {
  public:
-  ExactVertex(const ExactRing& ring, std::size_t k)
-      : vertex_(ring.vertices[k]), shift_(ring.shift) {
+  ExactVertex(const Boundary& a, const Boundary& b, const RingVertex& vertex, const Point& shift)
+      : vertex_(vertex), shift_(shift) {
     if (vertex_.is_sum()) {
-      sum_ = {ring.a.ring->vertices[vertex_.i()], ring.b.ring->vertices[vertex_.j()]};
+      sum_ = {a.vertices[vertex_.i()], b.vertices[vertex_.j()]};
       grid_ = Grid{sum_.a, sum_.b, shift_};
     } else {
-      s_ = coordinates(*ring.a.ring, *ring.b.ring, vertex_.arriving());
-      t_ = coordinates(*ring.a.ring, *ring.b.ring, vertex_.leaving());
+      s_ = coordinates(a, b, vertex_.arriving());
+      t_ = coordinates(a, b, vertex_.leaving());
       grid_ = Grid{shift_};
       grid_.include(s_);
       grid_.include(t_);
     }
   }
+
+  ExactVertex(const ExactRing& ring, std::size_t k)
+      : ExactVertex(*ring.a.ring, *ring.b.ring, ring.vertices[k], ring.shift) {}
 
   [[nodiscard]] bool is_sum() const { return vertex_.is_sum(); }
   [[nodiscard]] const SumPoint& sum() const { return sum_; }

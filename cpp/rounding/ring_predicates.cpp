@@ -71,14 +71,13 @@ std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const 
 
 // For a crossing (x / w, y / w) the side is the sign of d x ((x, y) - w o). Let b be the bits of
 // the grid. The second factor is below 2^(3b+7), so the result is below 2^(4b+9).
-int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
-  const SumEdge line = coordinates(*ring.a.ring, *ring.b.ring, ring.vertices[edge].leaving());
-  const RingVertex& v = ring.vertices[vertex];
+int side_of_vertex(const Boundary& a, const Boundary& b, const SumEdge& line, const RingVertex& v,
+                   Tally& tally) {
   if (v.is_sum()) {
-    return side(line, {ring.a.ring->vertices[v.i()], ring.b.ring->vertices[v.j()]}, tally);
+    return side(line, {a.vertices[v.i()], b.vertices[v.j()]}, tally);
   }
-  const SumEdge s = coordinates(*ring.a.ring, *ring.b.ring, v.arriving());
-  const SumEdge t = coordinates(*ring.a.ring, *ring.b.ring, v.leaving());
+  const SumEdge s = coordinates(a, b, v.arriving());
+  const SumEdge t = coordinates(a, b, v.leaving());
   if (const std::optional<int> side = side_in_doubles(line, s, t)) {
     ++tally.fixed_width;
     return *side;
@@ -98,8 +97,20 @@ int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tall
   });
 }
 
+int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
+  const Boundary& a = *ring.a.ring;
+  const Boundary& b = *ring.b.ring;
+  return side_of_vertex(a, b, coordinates(a, b, ring.vertices[edge].leaving()),
+                        ring.vertices[vertex], tally);
+}
+
 std::string exact_vertex(const ExactRing& ring, std::size_t k) {
-  const ExactVertex vertex(ring, k);
+  return exact_vertex(*ring.a.ring, *ring.b.ring, ring.vertices[k], ring.shift);
+}
+
+std::string exact_vertex(const Boundary& a, const Boundary& b, const RingVertex& v,
+                         const Point& shift) {
+  const ExactVertex vertex(a, b, v, shift);
   const int exponent = vertex.grid().exponent();
   // At least 128 bits, because Int128 has no conversion to text.
   const int bits = std::max(128, vertex.bits() + std::abs(exponent));

@@ -27,27 +27,6 @@ namespace gcv {
 
 namespace {
 
-// Not inlined into the loop over all vertices, because few vertices need it.
-[[gnu::noinline]] RoundedVertex rounded_vertex(const ExactRing& ring, std::size_t k, Tally& tally) {
-  const Boundary& a = *ring.a.ring;
-  const Boundary& b = *ring.b.ring;
-  const RingVertex& v = ring.vertices[k];
-  const std::optional<RoundedVertex> in_doubles =
-      v.is_sum() ? rounded_sum({a.vertices[v.i()], b.vertices[v.j()]}, ring.shift)
-                 : rounded_crossing(coordinates(a, b, v.arriving()), coordinates(a, b, v.leaving()),
-                                    ring.shift);
-  if (in_doubles) {
-    ++tally.filtered;
-    return *in_doubles;
-  }
-  const ExactVertex vertex(ring, k);
-  const int exponent = vertex.grid().exponent();
-  return with_integers(rounding_bits(vertex.bits()), tally, [&]<class Integer>() {
-    const auto p = vertex.homogeneous<Integer>();
-    return RoundedVertex{nearest_double(p.x, p.w, exponent), nearest_double(p.y, p.w, exponent)};
-  });
-}
-
 // A sum of two doubles in each coordinate, rounded. Computes both coordinates at once.
 class PlacedSum {
  public:
@@ -153,6 +132,26 @@ std::uint64_t count_missing(const PointVector& points, PointVector others) {
 
 }  // namespace
 
+// Not inlined into the loop over all vertices, because few vertices need it.
+[[gnu::noinline]] RoundedVertex rounded_vertex(const Boundary& a, const Boundary& b,
+                                               const RingVertex& v, const Point& shift,
+                                               Tally& tally) {
+  const std::optional<RoundedVertex> in_doubles =
+      v.is_sum() ? rounded_sum({a.vertices[v.i()], b.vertices[v.j()]}, shift)
+                 : rounded_crossing(coordinates(a, b, v.arriving()), coordinates(a, b, v.leaving()),
+                                    shift);
+  if (in_doubles) {
+    ++tally.filtered;
+    return *in_doubles;
+  }
+  const ExactVertex vertex(a, b, v, shift);
+  const int exponent = vertex.grid().exponent();
+  return with_integers(rounding_bits(vertex.bits()), tally, [&]<class Integer>() {
+    const auto p = vertex.homogeneous<Integer>();
+    return RoundedVertex{nearest_double(p.x, p.w, exponent), nearest_double(p.y, p.w, exponent)};
+  });
+}
+
 PointVector ring_through(PointVector places) {
   places.erase(std::unique(places.begin(), places.end()), places.end());
   while (places.size() > 1 && places.back() == places.front()) {
@@ -208,7 +207,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
           continue;
         }
       }
-      const RoundedVertex vertex = rounded_vertex(ring, k, portion.tally);
+      const RoundedVertex vertex = rounded_vertex(a, b, v, ring.shift, portion.tally);
       check_finite(ring, k, vertex);
       placement.places[k] = {vertex.x.value, vertex.y.value};
       portion.add(vertex);

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "double_double_rounding.hpp"
 #include "exact_ring.hpp"
 #include "task.hpp"
 
@@ -17,6 +18,10 @@ struct Placement {
   double error_bound = 0;      // the distance of a vertex from its doubles, at most
   std::uint64_t repaired = 0;  // the number of vertices whose doubles are not the nearest ones
 };
+
+// A vertex with each coordinate rounded to the nearest double, ties to even.
+RoundedVertex rounded_vertex(const Boundary& a, const Boundary& b, const RingVertex& vertex,
+                             const Point& shift, Tally& tally);
 
 // Rounds each coordinate to the nearest double, ties to even. Throws Error: range, if one is not
 // finite.

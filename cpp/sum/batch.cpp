@@ -7,17 +7,60 @@
 #include <mutex>
 #include <utility>
 
+#include "finite_point.hpp"
 #include "parallel.hpp"
 
 namespace gcv {
 
 namespace {
 
+// What is computed: how shapes are simplified, and sums of simplified operands computed.
+struct OuterFaces {
+  using Shape = Boundary;
+  using Result = OuterFace;
+  using Options = SumOptions;
+
+  static const Boundary& rings(const Boundary& ring) { return ring; }
+  static Operand simplified(const std::shared_ptr<const Boundary>& ring, const Options& options) {
+    const Simplified near = simplified_for_sum(ring, options);
+    return {near.ring, "", near.error_bound};
+  }
+  static OuterFace sum(const Operand& a, const Operand& b, const Point& shift,
+                       const Options& options, Task& task) {
+    return minkowski_sum(a, b, shift, options.rounding, task);
+  }
+};
+
+struct Regions {
+  using Shape = Polygon;
+  using Result = Region;
+  using Options = RegionOptions;
+
+  static const Boundary& rings(const Polygon& polygon) { return polygon.boundary(); }
+  static RegionOperand simplified(const std::shared_ptr<const Polygon>& polygon,
+                                  const Options& options) {
+    const SimplifiedPolygon near = simplify(polygon, options.tolerance / 2, options.rounding);
+    return {near.polygon, "", near.error_bound};
+  }
+  static Region sum(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                    const Options& options, Task& task) {
+    Options as_they_are = options;
+    as_they_are.tolerance = 0;
+    return minkowski_sum_region(a, b, shift, as_they_are, task);
+  }
+};
+
+template <class Kind>
 class Batch {
  public:
-  Batch(const std::vector<OperandPair>& pairs, const SumOptions& options, unsigned threads,
-        Task& task, const TakeOuterFace& take)
+  using Shape = typename Kind::Shape;
+  using Result = typename Kind::Result;
+  using Options = typename Kind::Options;
+
+  Batch(const std::vector<SumPair<Shape>>& pairs, const PairNames& names, const Options& options,
+        unsigned threads, Task& task, const TakeResult<Result>& take)
       : pairs_(pairs),
+        names_(names),
         options_(options),
         threads_(threads),
         task_(task),
@@ -36,19 +79,20 @@ class Batch {
   }
 
  private:
-  using Source = std::shared_ptr<const Boundary>;
+  using Source = std::shared_ptr<const Shape>;
+  using Operand = decltype(Kind::simplified(Source(), Options()));
 
   // A polygon of the pairs, simplified; or why it is not, which is for its pairs to say.
   struct Part {
-    Simplified simplified;
+    Operand operand;
     std::exception_ptr failure;
   };
 
   [[nodiscard]] std::uint64_t estimate() const {
     std::uint64_t steps = 0;
-    for (const auto& [a, b] : pairs_) {
+    for (const auto& [a, b, shift] : pairs_) {
       if (a != nullptr && b != nullptr) {
-        steps += estimated_steps(*a, *b);
+        steps += estimated_steps(Kind::rings(*a), Kind::rings(*b));
       }
     }
     return steps;
@@ -56,7 +100,7 @@ class Batch {
 
   // Each polygon once, however many pairs it is in.
   void simplify_all() {
-    for (const auto& [a, b] : pairs_) {
+    for (const auto& [a, b, shift] : pairs_) {
       parts_.try_emplace(a);
       parts_.try_emplace(b);
     }
@@ -70,7 +114,7 @@ class Batch {
       task_.advance(0);
       Part& part = all[k]->second;
       try {
-        part.simplified = simplified_for_sum(all[k]->first, options_);
+        part.operand = Kind::simplified(all[k]->first, options_);
       } catch (...) {
         part.failure = std::current_exception();
       }
@@ -85,16 +129,19 @@ class Batch {
     if (part.failure) {
       std::rethrow_exception(part.failure);
     }
-    return {part.simplified.ring, name, part.simplified.error_bound};
+    Operand operand = part.operand;
+    operand.name = name;
+    return operand;
   }
 
   // Computes pair k. Throws Error: cancelled.
   void add(std::size_t k) {
     task_.advance(0);
     try {
-      const Operand a = operand(pairs_[k].a, "a");
-      const Operand b = operand(pairs_[k].b, "b");
-      take_(k, minkowski_sum(a, b, {0, 0}, options_.rounding, task_));
+      const Operand a = operand(pairs_[k].a, names_.a);
+      const Operand b = operand(pairs_[k].b, names_.b);
+      const Point shift = finite_point(pairs_[k].shift, names_.shift);
+      take_(k, Kind::sum(a, b, shift, options_, task_));
     } catch (...) {
       const Error error = current_error();
       if (error.status() == Status::cancelled) {
@@ -113,11 +160,12 @@ class Batch {
     }
   }
 
-  const std::vector<OperandPair>& pairs_;
-  SumOptions options_;
+  const std::vector<SumPair<Shape>>& pairs_;
+  PairNames names_;
+  Options options_;
   unsigned threads_;
   Task& task_;
-  const TakeOuterFace& take_;
+  const TakeResult<Result>& take_;
   std::map<Source, Part> parts_;
   BatchReport report_;
   std::mutex mutex_;
@@ -126,9 +174,16 @@ class Batch {
 
 }  // namespace
 
-BatchReport minkowski_sums(const std::vector<OperandPair>& pairs, const SumOptions& options,
-                           unsigned threads, Task& task, const TakeOuterFace& take) {
-  return Batch(pairs, options, threads, task, take).run();
+BatchReport minkowski_sums(const std::vector<SumPair<Boundary>>& pairs, const PairNames& names,
+                           const SumOptions& options, unsigned threads, Task& task,
+                           const TakeResult<OuterFace>& take) {
+  return Batch<OuterFaces>(pairs, names, options, threads, task, take).run();
+}
+
+BatchReport minkowski_sum_regions(const std::vector<SumPair<Polygon>>& pairs,
+                                  const PairNames& names, const RegionOptions& options,
+                                  unsigned threads, Task& task, const TakeResult<Region>& take) {
+  return Batch<Regions>(pairs, names, options, threads, task, take).run();
 }
 
 }  // namespace gcv

@@ -11,20 +11,33 @@
 
 #include "boundary.hpp"
 #include "error.hpp"
+#include "minkowski_region.hpp"
 #include "minkowski_sum.hpp"
+#include "polygon.hpp"
 #include "task.hpp"
 
 namespace gcv {
 
-// The two operands of a sum. A polygon that is null makes its pair fail.
-struct OperandPair {
-  std::shared_ptr<const Boundary> a;
-  std::shared_ptr<const Boundary> b;
+// The two operands of a sum, and what is added to it. Outer faces are of two boundaries, regions of
+// two polygons. A pair fails if an operand is null, or if the shift is not finite.
+template <class Shape>
+struct SumPair {
+  std::shared_ptr<const Shape> a;
+  std::shared_ptr<const Shape> b;
+  Point shift;
 };
 
-// Takes the outer face of a pair, given by its number: once for each pair that succeeds, from the
+// What the operands and the shift of all pairs are called in messages.
+struct PairNames {
+  const char* a;
+  const char* b;
+  const char* shift;
+};
+
+// Takes the result of a pair, given by its number: once for each pair that succeeds, from the
 // thread that computed it. Where it throws, the pair fails.
-using TakeOuterFace = std::function<void(std::size_t pair, OuterFace&& face)>;
+template <class Result>
+using TakeResult = std::function<void(std::size_t pair, Result&& result)>;
 
 // What became of the pairs.
 struct BatchReport {
@@ -32,9 +45,15 @@ struct BatchReport {
   std::optional<Error> first_failure;  // of the smallest pair that failed; the message names it
 };
 
-// The outer faces of a + b for all pairs. Each polygon is simplified once. Each pair is computed
-// on one thread, which is what the task is to allow. Throws Error: cancelled.
-BatchReport minkowski_sums(const std::vector<OperandPair>& pairs, const SumOptions& options,
-                           unsigned threads, Task& task, const TakeOuterFace& take);
+// The outer faces of a + b + shift for all pairs. Each polygon is simplified once. Each pair is
+// computed on one thread, which is what the task is to allow. Throws Error: cancelled.
+BatchReport minkowski_sums(const std::vector<SumPair<Boundary>>& pairs, const PairNames& names,
+                           const SumOptions& options, unsigned threads, Task& task,
+                           const TakeResult<OuterFace>& take);
+
+// The regions, likewise.
+BatchReport minkowski_sum_regions(const std::vector<SumPair<Polygon>>& pairs,
+                                  const PairNames& names, const RegionOptions& options,
+                                  unsigned threads, Task& task, const TakeResult<Region>& take);
 
 }  // namespace gcv

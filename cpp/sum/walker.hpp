@@ -57,32 +57,58 @@ class Walker {
     return {finished(), arriving, tally_};
   }
 
+  // A ring, or nothing where it is known, and the place where it leaves the edge that the walk
+  // began on.
+  struct Ring {
+    std::optional<Walk> walk;
+    Place leaves;
+  };
+
   // The ring that bounds the face on the right of the edge at the place. The edge is a superset
   // edge through the place, and on the boundary from there on. The place is a sum of two vertices,
   // or else the crossing with any edge that is not parallel, not only a superset edge. The ring
-  // begins in its first vertex behind the place.
+  // begins in its first vertex behind the place. It is known where is_known(that vertex).
   //
   // It ends where the first turn comes again, between the same two lines. Of edges that overlap,
   // the walk may take others the second time.
-  Walk ring(const Place& place, const PairEdge& edge) {
+  template <class IsKnown>
+  Ring ring(const Place& place, const PairEdge& edge, IsKnown is_known) {
+    walk_ = {};
     place_ = place;
     next_ = edge;
-    PairEdge arriving = next_;
-    std::optional<std::pair<PairEdge, PairEdge>> first;
+    turns_ = true;
+    turns_ = advance();
+    Ring ring{{}, place_};
+    if (!place_.is_sum) {  // seen from the edge that the walk began on
+      const PairEdge leaving = next_;
+      const auto at = [&](const PairEdge& e) { return coordinates(operands_.a, operands_.b, e); };
+      ring.leaves = {false, {}, leaving, crossing_parameter(at(edge), at(leaving))};
+    }
+    PairEdge arriving = edge;
+    while (!turns_) {
+      arriving = next_;
+      turns_ = advance();
+    }
+    const PairEdge first_arriving = arriving;
+    const PairEdge first_leaving = next_;
+    add_vertex(arriving);
+    if (is_known(walk_.vertices.front())) {
+      return ring;
+    }
     while (true) {
       arriving = next_;
       turns_ = advance();
       if (!turns_) {
         continue;
       }
-      if (!first) {
-        first.emplace(arriving, next_);
-      } else if (leads_along(arriving, first->first) && leads_along(next_, first->second)) {
-        return finished();
+      if (leads_along(arriving, first_arriving) && leads_along(next_, first_leaving)) {
+        ring.walk = finished();
+        return ring;
       }
       add_vertex(arriving);
     }
   }
+  [[nodiscard]] const Tally& tally() const { return tally_; }
 
  private:
   Walk finished() {

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "cover.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "box.hpp"
+#include "error.hpp"
+
+namespace gcv {
+
+int PlacesOnLine::side_of_sum(const Line& line, const VertexSum& sum) const {
+  if (sum == start_of(line.edge) || sum == end_of(operands_, line.edge)) {
+    ++tally_.filtered;
+    return 0;
+  }
+  return side(line.at, point(sum), tally_);
+}
+
+int PlacesOnLine::side_of(const Line& other, const Place& place) const {
+  if (place.is_sum) {
+    return side_of_sum(other, place.sum);
+  }
+  const int turn = turn_from(other);
+  if (turn == 0) {
+    return side_of_sum(other, start_of(line_.edge));
+  }
+  return turn * compare(place, crossing(other));
+}
+
+int PlacesOnLine::compare(const Place& p, const Place& q) const {
+  if (p.is_sum && q.is_sum) {
+    if (p.sum == q.sum) {
+      return 0;
+    }
+    const SumPoint x = point(p.sum);
+    const SumPoint y = point(q.sum);
+    const SumEdge& s = line_.at;
+    if (s.from.x != s.to.x) {
+      const int order = compare_sums(x.a.x, x.b.x, y.a.x, y.b.x, tally_);
+      return s.from.x < s.to.x ? order : -order;
+    }
+    const int order = compare_sums(x.a.y, x.b.y, y.a.y, y.b.y, tally_);
+    return s.from.y < s.to.y ? order : -order;
+  }
+  if (p.is_sum) {
+    return -compare(q, p);
+  }
+  const Line r = Line::of(operands_, p.crossing);
+  if (q.is_sum) {
+    return -turn_from(r) * side_of_sum(r, q.sum);
+  }
+  if (p.parameter.hi < q.parameter.lo || p.parameter.lo > q.parameter.hi) {
+    ++tally_.filtered;
+    return p.parameter.hi < q.parameter.lo ? -1 : 1;
+  }
+  return compare_crossings(line_.at, r.at, Line::of(operands_, q.crossing).at, tally_);
+}
+
+double EdgeCover::parameter_of(const RelativeLine& line, const Place& place) const {
+  double t = 0;
+  if (place.is_sum) {
+    const Point x = operands_.relative(place.sum.i, place.sum.j);
+    t = std::abs(line.dx) >= std::abs(line.dy) ? (x.x - line.origin.x) / line.dx
+                                               : (x.y - line.origin.y) / line.dy;
+  } else {
+    t = place.parameter.lo + (place.parameter.hi - place.parameter.lo) / 2;
+  }
+  return t > 0 ? std::min(t, 1.0) : 0;  // 0 if it is not a number
+}
+
+EdgeCover::Neighbourhood EdgeCover::neighbourhood(const RelativeLine& line,
+                                                  const Place& place) const {
+  if (place.is_sum) {
+    return {operands_.relative(place.sum.i, place.sum.j), 0};
+  }
+  const auto clamped = [](double t) { return std::min(std::max(t, 0.0), 1.0); };
+  const double lo = clamped(place.parameter.lo);
+  const double hi = clamped(place.parameter.hi);
+  return {line.at(lo + (hi - lo) / 2), (hi - lo) * (std::abs(line.dx) + std::abs(line.dy))};
+}
+
+std::optional<EdgeCover::Sides> EdgeCover::sides_of(const WitnessSearch::Pair& pair) const {
+  const auto [i, j] = pair;
+  const Directions& directions = operands_.directions;
+  const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
+  if (angle == 0 || angle == directions.half_turn) {
+    return std::nullopt;
+  }
+  const int sign = angle < directions.half_turn ? 1 : -1;
+  const auto line = [&](const PairEdge& edge) { return Line::of(operands_, edge); };
+  return Sides{{{line(operands_.translated(i, j)), sign},
+                {line(operands_.translated(i, operands_.b.next(j))), -sign},
+                {line(operands_.corner(i, j)), -sign},
+                {line(operands_.corner(operands_.a.next(i), j)), sign}}};
+}
+
+Place EdgeCover::exit_of(const PlacesOnLine& places, const Sides& sides) {
+  std::optional<Place> exit;
+  for (const Side& side : sides.side) {
+    if (places.turn_from(side.line) == -side.sign) {
+      const Place place = places.crossing(side.line);
+      if (!exit || places.compare(place, *exit) < 0) {
+        exit = place;
+      }
+    }
+  }
+  assert(exit);
+  return *exit;
+}
+
+template <class Visit>
+void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::Pair& pair,
+                               Visit visit) {
+  const auto [i, j] = pair;
+  const Cones cones(operands_);
+  const Place start = places.start();
+  const auto slide = [&](const PairEdge& edge, const DirectionArc& a, const DirectionArc& b) {
+    const Line line = Line::of(operands_, edge);
+    if (places.turn_from(line) != 0 || !cones.overlap(a, b) || places.side_of(line, start) != 0) {
+      return;
+    }
+    const VertexSum from = start_of(edge);
+    const VertexSum to = end_of(operands_, edge);
+    visit(edge.rank == places.line().edge.rank ? Slide{from, to} : Slide{to, from});
+  };
+  slide(operands_.translated(i, j), cones.edge_of_a(i), cones.vertex_of_b(j));
+  slide(operands_.corner(i, j), cones.vertex_of_a(i), cones.edge_of_b(j));
+}
+
+std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeLine& line,
+                                     double t, const Place& start) {
+  while (true) {
+    const double reach = search_.reach(line, t);
+    if (reach == t) {
+      break;
+    }
+    if (reach == 1) {
+      return std::nullopt;
+    }
+    t = reach;
+  }
+  std::optional<Place> furthest;
+  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+    const std::optional<Sides> sides = sides_of(pair);
+    if (!sides) {
+      continue;
+    }
+    const bool holds = std::all_of(
+        std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+          const int turn = places.turn_from(side.line);
+          if (turn == 0) {
+            return places.side_of(side.line, places.start()) == side.sign;
+          }
+          const Interval parameter = crossing_parameter(places.line().at, side.line.at);
+          return turn == side.sign ? parameter.hi < t : parameter.lo > t;
+        });
+    if (holds) {
+      const Place exit = exit_of(places, *sides);
+      if (!furthest || exit.parameter.lo > furthest->parameter.lo) {
+        furthest = exit;
+      }
+    }
+  }
+  if (!furthest || places.compare(*furthest, start) <= 0) {
+    return start;
+  }
+  return places.compare(*furthest, places.end()) > 0 ? std::nullopt : furthest;
+}
+
+namespace {
+
+// Tells whether a place of a line, and the germ there, lie inside closed rings of translated edges.
+// Follows the line from the place on, moved to its right by an infinitesimal, and counts the edges
+// that cross it.
+class PointInRings {
+ public:
+  PointInRings(const Operands& operands, const PlacesOnLine& places, const Place& place, Tally& tally)
+      : operands_(operands), places_(places), place_(place), tally_(tally) {}
+
+  void pass(const PairEdge& edge) {
+    const VertexSum from = start_of(edge);
+    const VertexSum to = end_of(operands_, edge);
+    const int from_side = side_of(from);
+    const int to_side = side_of(to);
+    if (from_side * to_side > 0) {
+      return;
+    }
+    if (from_side == 0 && to_side == 0) {
+      const int from_order = places_.compare(Place::of(from), place_);
+      const int to_order = places_.compare(Place::of(to), place_);
+      is_on_ring_ = is_on_ring_ || from_order * to_order <= 0;
+      return;
+    }
+    const Place crossing = from_side == 0 ? Place::of(from)
+                           : to_side == 0 ? Place::of(to)
+                                          : places_.crossing(Line::of(operands_, edge));
+    const int order = places_.compare(crossing, place_);
+    is_on_ring_ = is_on_ring_ || order == 0;
+    is_inside_ = is_inside_ != (order > 0 && (from_side < 0 || to_side < 0));
+  }
+
+  [[nodiscard]] bool holds_germ() const { return is_inside_; }
+  [[nodiscard]] bool is_on_ring() const { return is_on_ring_; }
+
+ private:
+  [[nodiscard]] int side_of(const VertexSum& sum) const {
+    return side(places_.line().at, {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]},
+                tally_);
+  }
+
+  const Operands& operands_;
+  const PlacesOnLine& places_;
+  const Place& place_;
+  Tally& tally_;
+  bool is_inside_ = false;
+  bool is_on_ring_ = false;
+};
+
+}  // namespace
+
+EdgeCover::Containment EdgeCover::containment_at(const PlacesOnLine& places,
+                                                const RelativeLine& line, const Place& place) {
+  Containment result{false, false};
+  if (solids_ == Solids::one) {
+    return result;
+  }
+  const Boundary& a = operands_.a;
+  const Boundary& b = operands_.b;
+  const auto [near, distance] = neighbourhood(line, place);
+  const Box around = widened(box_of(near, near), distance + search_.slack());
+  const Box& box_a = a.index().tree.box;
+  const Box& box_b = b.index().tree.box;
+  const auto add = [&](const PointInRings& rings, bool inside) {
+    if (rings.holds_germ() == inside) {
+      result.of_germ = true;
+      result.of_place = result.of_place || !rings.is_on_ring();
+    }
+  };
+  for (Index ring = 0; ring < a.layout.ring_count(); ++ring) {
+    const Index first = a.layout.begin(ring);
+    const Point p = a.relative(first);
+    if (!are_apart(around, {p.x + box_b.x0, p.y + box_b.y0, p.x + box_b.x1, p.y + box_b.y1})) {
+      PointInRings rings(operands_, places, place, tally_);
+      for (Index j = 0; j < b.size(); ++j) {
+        rings.pass(operands_.corner(first, j));
+      }
+      add(rings, true);
+    }
+    // The first ring has its solid outside.
+    const Point q = b.relative(0);
+    const Box of_a{box_a.x0 + q.x, box_a.y0 + q.y, box_a.x1 + q.x, box_a.y1 + q.y};
+    if (ring == 0 || !are_apart(around, of_a)) {
+      PointInRings rings(operands_, places, place, tally_);
+      for (Index i = first; i < a.layout.end(ring); ++i) {
+        rings.pass(operands_.translated(i, 0));
+      }
+      add(rings, ring != 0);
+    }
+  }
+  return result;
+}
+
+EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
+                                        const Place& place) {
+  const auto [point, distance] = neighbourhood(line, place);
+  search_.find_pairs(point, distance);
+  const Cones cones(operands_);
+  Surroundings result{false, BlockedDirections(operands_.directions)};
+  const auto contact = [&](const DirectionArc& a, const DirectionArc& b) {
+    if (cones.overlap(a, b)) {
+      result.is_covered = true;
+    } else {
+      result.blocked.add(cones.sum(a, b));
+    }
+  };
+  // Is the place strictly between the ends of the edge?
+  const auto lies_on = [&](const PairEdge& edge) {
+    const Line other = Line::of(operands_, edge);
+    if (places.side_of(other, place) != 0) {
+      return false;
+    }
+    const Place from = Place::of(start_of(edge));
+    const Place to = Place::of(end_of(operands_, edge));
+    if (places.turn_from(other) == 0) {
+      return places.compare(from, place) * places.compare(place, to) > 0;
+    }
+    const Line& s = places.line();
+    return side(s.at, operands_.start(edge), tally_) * side(s.at, operands_.end(edge), tally_) < 0;
+  };
+  const auto is_at = [&](const VertexSum& sum) {
+    if (place.is_sum && place.sum == sum) {
+      return true;
+    }
+    const SumPoint other{operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
+    return side(places.line().at, other, tally_) == 0 &&
+           places.compare(place, Place::of(sum)) == 0;
+  };
+  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+    const auto [i, j] = pair;
+    if (is_at({i, j})) {
+      contact(cones.vertex_of_a(i), cones.vertex_of_b(j));
+    } else if (lies_on(operands_.translated(i, j))) {
+      contact(cones.edge_of_a(i), cones.vertex_of_b(j));
+    } else if (lies_on(operands_.corner(i, j))) {
+      contact(cones.vertex_of_a(i), cones.edge_of_b(j));
+    } else if (const std::optional<Sides> sides = sides_of(pair)) {
+      result.is_covered =
+          std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+            return places.side_of(side.line, place) == side.sign;
+          });
+    }
+    if (result.is_covered) {
+      break;
+    }
+  }
+  return result;
+}
+
+std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const RelativeLine& line,
+                                            const Place& place, bool is_contained) {
+  std::optional<Place> furthest;
+  const auto take = [&](const Place& exit) {
+    if (!furthest || places.compare(exit, *furthest) > 0) {
+      furthest = exit;
+    }
+  };
+  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+    if (const std::optional<Sides> sides = sides_of(pair)) {
+      const bool holds = std::all_of(
+          std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+            const int here = places.side_of(side.line, place);
+            return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
+          });
+      if (holds) {
+        take(exit_of(places, *sides));
+      }
+    }
+    for_each_slide(places, pair, [&](const Slide& slide) {
+      if (places.compare(Place::of(slide.from), place) <= 0 &&
+          places.compare(place, Place::of(slide.to)) < 0) {
+        take(Place::of(slide.to));
+      }
+    });
+  }
+  if (!furthest && is_contained) {
+    return next_change(places, line, place);
+  }
+  if (!furthest) {
+    throw Error(Status::internal, "no witness covers what follows a covered place");
+  }
+  if (places.compare(*furthest, places.end()) > 0) {
+    return std::nullopt;
+  }
+  const double from = parameter_of(line, place);
+  const double to = parameter_of(line, *furthest);
+  const double middle = from + (to - from) / 2;
+  const bool is_certain = (place.is_sum || place.parameter.hi < middle) && !furthest->is_sum &&
+                          furthest->parameter.lo > middle;
+  return is_certain && from < middle ? skip(places, line, middle, *furthest) : furthest;
+}
+
+Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
+                             const Place& place) {
+  search_.find_pairs(box_of(line.at(parameter_of(line, place)), line.at(1)));
+  Place first = places.end();
+  const auto come = [&](const Place& change) {
+    if (places.compare(change, first) < 0) {
+      first = change;
+    }
+  };
+  std::optional<Place> germ_exit;
+  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+    for_each_slide(places, pair, [&](const Slide& slide) {
+      if (places.compare(Place::of(slide.from), place) > 0) {
+        come(Place::of(slide.from));
+      }
+    });
+    const std::optional<Sides> sides = sides_of(pair);
+    if (!sides) {
+      continue;
+    }
+    bool holds_germ = true;
+    bool holds_places = true;
+    std::optional<Place> entry;
+    for (const Side& side : sides->side) {
+      const int turn = places.turn_from(side.line);
+      const int here = places.side_of(side.line, place);
+      if (turn == 0) {
+        const bool is_same_way = side.line.edge.rank == places.line().edge.rank;
+        holds_places = holds_places && here == side.sign;
+        holds_germ = holds_germ && (here != 0 ? here : is_same_way ? -1 : 1) == side.sign;
+      } else {
+        holds_germ = holds_germ && (here != 0 ? here : turn) == side.sign;
+        if (turn == side.sign) {
+          const Place crossing = places.crossing(side.line);
+          if (!entry || places.compare(crossing, *entry) > 0) {
+            entry = crossing;
+          }
+        }
+      }
+    }
+    const Place exit = exit_of(places, *sides);
+    if (holds_germ && (!germ_exit || places.compare(exit, *germ_exit) > 0)) {
+      germ_exit = exit;
+    }
+    if (holds_places && entry && places.compare(*entry, place) >= 0 &&
+        places.compare(*entry, exit) < 0) {
+      come(*entry);
+    }
+  }
+  if (germ_exit) {
+    come(*germ_exit);
+  }
+  return first;
+}
+
+}  // namespace gcv

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What the open sum O = int A + int B leaves of a superset edge s: the free places of s.
+//
+// The free set F is the complement of O. Its boundary lies on superset edges: x on it is a contact
+// without overlap, which is Definition 1 with closed cones and no reflex vertex. So what is not
+// covered of each superset edge tells all of it. Three questions are asked of a place of s:
+// - Is the place itself in O? Its contacts say so (contacts.hpp), or an open parallelogram.
+// - Is what follows on s, by a first infinitesimal? If not, s runs along F there.
+// - Is the germ, to the right of that by a second, infinitely smaller one? If not, a face of F lies
+//   on the right, and a ring runs along s. If it is, both sides of s are in O: a segment.
+// Sources: docs/METHOD.md.
+//
+// The walk along s goes from witness to witness in doubles (search/witness.hpp). Where none leads
+// on, it goes on exactly: from one crossing with a side of a parallelogram to the next.
+#pragma once
+
+#include <optional>
+
+#include "contacts.hpp"
+#include "contributing_vertices.hpp"
+#include "place.hpp"
+#include "predicates.hpp"
+#include "witness.hpp"
+
+namespace gcv {
+
+// Places on the line of a superset edge s, compared. All exact.
+class PlacesOnLine {
+ public:
+  PlacesOnLine(const Operands& operands, const PairEdge& s, Tally& tally)
+      : operands_(operands), line_(Line::of(operands, s)), tally_(tally) {}
+
+  [[nodiscard]] const Line& line() const { return line_; }
+  [[nodiscard]] Place start() const { return Place::of(start_of(line_.edge)); }
+  [[nodiscard]] Place end() const { return Place::of(end_of(operands_, line_.edge)); }
+
+  // The crossing with another line, which is not parallel.
+  [[nodiscard]] Place crossing(const Line& other) const {
+    return {false, {}, other.edge, crossing_parameter(line_.at, other.at)};
+  }
+
+  // The sign of the turn from e to f: 1 to the left, 0 for opposite directions too.
+  [[nodiscard]] int turn(Rank e, Rank f) const {
+    const Directions& directions = operands_.directions;
+    const Rank angle = directions.angle(e, f);
+    return angle == 0 || angle == directions.half_turn ? 0 : angle < directions.half_turn ? 1 : -1;
+  }
+  // From another line to s.
+  [[nodiscard]] int turn_from(const Line& other) const {
+    return turn(other.edge.rank, line_.edge.rank);
+  }
+
+  // The side of another line on which the place lies: 1 left, -1 right, 0 on it.
+  [[nodiscard]] int side_of(const Line& other, const Place& place) const;
+  // The order of two places along s.
+  [[nodiscard]] int compare(const Place& p, const Place& q) const;
+
+ private:
+  [[nodiscard]] SumPoint point(const VertexSum& sum) const {
+    return {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
+  }
+  [[nodiscard]] int side_of_sum(const Line& line, const VertexSum& sum) const;
+
+  const Operands& operands_;
+  Line line_;
+  Tally& tally_;
+};
+
+// The solid of B is connected. That of A may be several solids, one for each of its rings. Then one of
+// them may lie inside x - B, or that inside one of them, where their boundaries do not meet.
+enum class Solids : std::uint8_t { one, several };
+
+// Walks along superset edges. Takes what it finds to a visitor:
+//   ring(places, from): a ring passes along s from that place on: returns where it leaves s;
+//   segment(places, from, to): s runs along F, with O on both sides;
+//   point(places, place): an isolated point of F.
+class EdgeCover {
+ public:
+  EdgeCover(const Operands& operands, Solids solids, Tally& tally)
+      : operands_(operands), solids_(solids), tally_(tally), search_(operands) {}
+
+  // What is known of a place.
+  struct Surroundings {
+    bool is_covered;  // it lies in the open sum
+    BlockedDirections blocked;
+  };
+
+  // Calls the visitor for all that the open sum leaves of s, from the start of s to its end.
+  template <class Visitor>
+  void walk(const PairEdge& s, Visitor& visitor) {
+    const PlacesOnLine places(operands_, s, tally_);
+    const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
+    std::optional<Place> place = skip(places, line, 0, places.start());
+    std::optional<Place> segment;  // where one has begun
+    while (place) {
+      Surroundings surroundings = look(places, line, *place);
+      const Containment containment = containment_at(places, line, *place);
+      surroundings.is_covered = surroundings.is_covered || containment.of_place;
+      const bool is_end = places.compare(*place, places.end()) >= 0;
+      const bool leads_on =
+          !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
+      const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);
+      if (segment && !(leads_on && !is_ring)) {
+        visitor.segment(places, *segment, *place);
+        segment.reset();
+      }
+      if (!surroundings.is_covered && surroundings.blocked.hold_all()) {
+        visitor.point(places, *place);
+      }
+      if (is_end) {
+        return;
+      }
+      if (is_ring) {
+        place = visitor.ring(places, *place);
+      } else if (leads_on) {
+        if (!segment) {
+          segment = place;
+        }
+        place = next_change(places, line, *place);
+      } else {
+        place = leave_cover(places, line, *place, containment.of_germ);
+      }
+    }
+  }
+
+ private:
+  // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
+  // beyond t, up to which s is covered; `start` if there is none.
+  std::optional<Place> skip(const PlacesOnLine& places, const RelativeLine& line, double t,
+                            const Place& start);
+  // The contacts at a place. Leaves the pairs of edges near it in the search.
+  Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+  // Is one of x - B and a solid of A inside the other?
+  struct Containment {
+    bool of_place;  // for the place x; false if the boundaries touch where it is looked at
+    bool of_germ;
+  };
+  [[nodiscard]] Containment containment_at(const PlacesOnLine& places, const RelativeLine& line,
+                                           const Place& place);
+  // What follows the place on s is covered: the place where that ends, or where it may if solids
+  // contain one another there; or nothing if s ends first.
+  std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
+                                   const Place& place, bool is_contained);
+  // What follows the place on s is free, and its right side is covered; or solids contain one
+  // another there. The next place where this may end.
+  Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+
+  [[nodiscard]] double parameter_of(const RelativeLine& line, const Place& place) const;
+  // A point, and how far the place is from it at most, roundings of coordinates aside.
+  struct Neighbourhood {
+    Point point;
+    double distance;
+  };
+  [[nodiscard]] Neighbourhood neighbourhood(const RelativeLine& line, const Place& place) const;
+
+  // The sides of the parallelogram of two edges. The inside is on the side `sign` of each.
+  struct Side {
+    Line line;
+    int sign;
+  };
+  struct Sides {
+    Side side[4];
+  };
+  // Nothing for parallel edges.
+  [[nodiscard]] std::optional<Sides> sides_of(const WitnessSearch::Pair& pair) const;
+  // The first crossing with a side through which s leaves the parallelogram.
+  [[nodiscard]] static Place exit_of(const PlacesOnLine& places, const Sides& sides);
+
+  // Edges of which one slides along s with a vertex of the other on it, their solid sides on the
+  // same side: covered from `from` to `to`.
+  struct Slide {
+    VertexSum from;
+    VertexSum to;
+  };
+  template <class Visit>
+  void for_each_slide(const PlacesOnLine& places, const WitnessSearch::Pair& pair, Visit visit);
+
+  const Operands& operands_;
+  Solids solids_;
+  Tally& tally_;
+  WitnessSearch search_;
+};
+
+}  // namespace gcv

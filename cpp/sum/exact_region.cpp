@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_region.hpp"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#include "choose.hpp"
+#include "cover.hpp"
+#include "exact_order.hpp"
+#include "fits.hpp"
+#include "free_rings.hpp"
+#include "half_plane.hpp"
+#include "search.hpp"
+#include "turns.hpp"
+#include "walker.hpp"
+
+namespace gcv {
+
+namespace {
+
+// Takes what covers leave.
+class Finder {
+ public:
+  Finder(const Operands& operands, const SearchableSuperset& superset, Task& task, Tally& tally)
+      : known_(operands, tally),
+        walker_(operands, Search(superset), superset.slack(), task),
+        fits_(operands, tally) {}
+
+  void add_known(const std::vector<RingVertex>& ring) {
+    for (const RingVertex& vertex : ring) {
+      known_.add(vertex);
+    }
+  }
+
+  Place ring(const PlacesOnLine& places, const Place& from) {
+    auto ring = walker_.ring(from, places.line().edge,
+                             [&](const RingVertex& vertex) { return known_.has(vertex); });
+    if (ring.walk) {
+      add_known(ring.walk->vertices);
+      rings_.push_back(std::move(ring.walk->vertices));
+    }
+    return ring.leaves;
+  }
+  void segment(const PlacesOnLine& places, const Place& from, const Place& to) {
+    fits_.add_segment(places.line().edge, vertex(places, from), vertex(places, to));
+  }
+  void point(const PlacesOnLine& places, const Place& place) {
+    fits_.add_point(vertex(places, place));
+  }
+
+  // The rings found, with the free side on the right.
+  std::vector<std::vector<RingVertex>>& rings() { return rings_; }
+  Fits& fits() { return fits_; }
+  [[nodiscard]] const Tally& tally() const { return walker_.tally(); }
+
+ private:
+  static RingVertex vertex(const PlacesOnLine& places, const Place& place) {
+    const PairEdge& s = places.line().edge;
+    return place.is_sum ? RingVertex::sum(place.sum.i, place.sum.j, s, s)
+                        : RingVertex::crossing(s, place.crossing);
+  }
+
+  KnownTurns known_;
+  Walker<Search> walker_;
+  Fits fits_;
+  std::vector<std::vector<RingVertex>> rings_;
+};
+
+void add_part(ExactRegion& region, PartKind kind, Index polygon,
+              const std::vector<RingVertex>& vertices) {
+  region.parts.push_back({kind, polygon, region.vertices.size(), vertices.size()});
+  region.vertices.insert(region.vertices.end(), vertices.begin(), vertices.end());
+}
+
+void add_fits(ExactRegion& region, Fits& fits) {
+  fits.finish(region.vertices);
+  for (const auto& [edge, ends] : fits.segments()) {
+    add_part(region, PartKind::segment, RegionPart::no_polygon, {ends[0], ends[1]});
+  }
+  for (const RingVertex& point : fits.points()) {
+    add_part(region, PartKind::point, RegionPart::no_polygon, {point});
+  }
+}
+
+}  // namespace
+
+void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
+                    const WantedParts& wanted, Task& task, Tally& tally, ExactRegion& region) {
+  add_part(region, PartKind::outer, 0, outer);
+  if (!wanted.holes && !wanted.fits) {
+    return;
+  }
+  const SearchableSuperset superset(operands);
+  Finder finder(operands, superset, task, tally);
+  finder.add_known(outer);
+  EdgeCover cover(operands, Solids::one, tally);
+  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands),
+                              [&](const PairEdge& s) { cover.walk(s, finder); });
+  tally += finder.tally();
+  const ExactOrder order(operands, tally);
+  for (std::vector<RingVertex>& hole : finder.rings()) {
+    order.begin_with_smallest(hole);
+  }
+  std::sort(finder.rings().begin(), finder.rings().end(),
+            [&](const auto& p, const auto& q) { return order.is_before(p, q); });
+  for (const std::vector<RingVertex>& hole : finder.rings()) {
+    add_part(region, PartKind::hole, 0, hole);
+  }
+  if (wanted.fits) {
+    add_fits(region, finder.fits());
+  }
+}
+
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Tally& tally,
+                     ExactRegion& region) {
+  const Solids solids = operands.a.layout.ring_count() > 1 ? Solids::several : Solids::one;
+  const SearchableSuperset superset(operands);
+  Finder finder(operands, superset, task, tally);
+  EdgeCover cover(operands, solids, tally);
+  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands),
+                              [&](const PairEdge& s) { cover.walk(s, finder); });
+  tally += finder.tally();
+  Index number = 0;
+  for (const auto& [outer, holes] : free_polygons(operands, std::move(finder.rings()),
+                                                  solids == Solids::several, tally)) {
+    add_part(region, PartKind::outer, number, outer);
+    for (const std::vector<RingVertex>& hole : holes) {
+      add_part(region, PartKind::hole, number, hole);
+    }
+    ++number;
+  }
+  if (wanted.fits) {
+    add_fits(region, finder.fits());
+  }
+}
+
+}  // namespace gcv

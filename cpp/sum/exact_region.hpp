@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The whole boundary of what the open sum of two operands leaves free, exactly: rings, segments and
+// points. As canonical parts.
+#pragma once
+
+#include "contributing_vertices.hpp"
+#include "region.hpp"
+#include "task.hpp"
+
+namespace gcv {
+
+// Which parts are wanted beside the outer ring.
+struct WantedParts {
+  bool holes = true;
+  bool fits = true;  // segments and points
+};
+
+// The parts of the closed sum of two polygons. `outer` is the walk along its outer face.
+void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
+                    const WantedParts& wanted, Task& task, Tally& tally, ExactRegion& region);
+
+// The parts of the free set, where the solid of A is the outside of a container.
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Tally& tally,
+                     ExactRegion& region);
+
+}  // namespace gcv
