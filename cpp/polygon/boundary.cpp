@@ -224,6 +224,10 @@ const std::vector<ChordBlock>& Boundary::chords() const {
   return chords_.get([this] { return build_chords(index().tree, relative_chain(), layout); });
 }
 
+const Touches& Boundary::touches() const {
+  return touches_.get([this] { return Touches(*this); });
+}
+
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
   Boundary all = outer;
   for (const Boundary& hole : holes) {

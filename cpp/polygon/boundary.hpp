@@ -19,6 +19,7 @@
 #include "point.hpp"
 #include "ring_layout.hpp"
 #include "swept_spheres.hpp"
+#include "touches.hpp"
 
 namespace gcv {
 
@@ -87,6 +88,8 @@ struct Boundary {
   [[nodiscard]] const ChainIndex& index() const;
   // For the blocks of the index.
   [[nodiscard]] const std::vector<ChordBlock>& chords() const;
+  // Where its rings touch.
+  [[nodiscard]] const Touches& touches() const;
 
   // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
   // edge points the other way. O(n): the line directions are sorted once for both.
@@ -99,6 +102,7 @@ struct Boundary {
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
   Lazy<std::vector<ChordBlock>> chords_;
+  Lazy<Touches> touches_;
 
   [[nodiscard]] EdgeChain relative_chain() const;
 };

@@ -8,11 +8,14 @@
 // interiors meet at the contact just when d lies in the open sum of both cones. If the cone of A and
 // the turned cone of B overlap, this is every d, and d = 0 too: x lies in the open sum. Else the sum
 // of the cones is the shorter of the arcs that hold both. Two parallel edges that touch have an end
-// of one on the other: these contacts say all.
+// of one on the other: these contacts say all. Where rings of a polygon touch, the solid has several
+// cones in one point.
 #pragma once
 
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
+#include <cstddef>
+#include <vector>
 
 #include "contributing_vertices.hpp"
 #include "place.hpp"
@@ -26,29 +29,53 @@ struct DirectionArc {
   Rank length;
 };
 
+// The solid cones in a point of a polygon: one, but where rings touch.
+struct ConesOfPoint {
+  DirectionArc first;
+  std::vector<DirectionArc> others;
+
+  // Does the test hold for one of them?
+  template <class Test>
+  [[nodiscard]] bool any(Test test) const {
+    return test(first) || std::any_of(others.begin(), others.end(), test);
+  }
+  template <class Visit>
+  void for_each(Visit visit) const {
+    visit(first);
+    std::for_each(others.begin(), others.end(), visit);
+  }
+};
+
 // Arcs of directions and what two cones do to each other.
 class Cones {
  public:
-  explicit Cones(const Operands& operands) : operands_(operands) {}
+  // Where rings touch in the points given, the cones are those of all of them.
+  Cones(const Operands& operands, const Touches& touches_a, const Touches& touches_b)
+      : operands_(operands), touches_a_(touches_a), touches_b_(touches_b) {}
 
-  // The solid cone of a vertex or an edge of A or B.
-  [[nodiscard]] DirectionArc vertex_of_a(Index i) const {
-    return vertex(operands_.a, operands_.directions.rank_a, i);
+  // The solid cones of a vertex of A or B, and that of an edge.
+  [[nodiscard]] ConesOfPoint vertex_of_a(Index i) const {
+    return vertex(operands_.a, operands_.directions.rank_a, touches_a_, i);
   }
-  [[nodiscard]] DirectionArc vertex_of_b(Index j) const {
-    return vertex(operands_.b, operands_.directions.rank_b, j);
+  [[nodiscard]] ConesOfPoint vertex_of_b(Index j) const {
+    return vertex(operands_.b, operands_.directions.rank_b, touches_b_, j);
   }
-  [[nodiscard]] DirectionArc edge_of_a(Index i) const {
-    return {operands_.directions.rank_a[i], half_turn()};
+  [[nodiscard]] ConesOfPoint edge_of_a(Index i) const {
+    return {{operands_.directions.rank_a[i], half_turn()}, {}};
   }
-  [[nodiscard]] DirectionArc edge_of_b(Index j) const {
-    return {operands_.directions.rank_b[j], half_turn()};
+  [[nodiscard]] ConesOfPoint edge_of_b(Index j) const {
+    return {{operands_.directions.rank_b[j], half_turn()}, {}};
   }
 
   // Do the cone of A and the turned cone of B overlap?
   [[nodiscard]] bool overlap(const DirectionArc& a, const DirectionArc& b) const {
     const Rank turned = (b.from + half_turn()) % (2 * half_turn());
     return angle(a.from, turned) < a.length || angle(turned, a.from) < b.length;
+  }
+  [[nodiscard]] bool overlap(const ConesOfPoint& a, const ConesOfPoint& b) const {
+    return a.any([&](const DirectionArc& p) {
+      return b.any([&](const DirectionArc& q) { return overlap(p, q); });
+    });
   }
   // The sum of cones for which this is not so: the shorter arc that holds both.
   [[nodiscard]] DirectionArc sum(const DirectionArc& a, const DirectionArc& b) const {
@@ -62,12 +89,33 @@ class Cones {
   [[nodiscard]] Rank angle(Rank from, Rank to) const {
     return operands_.directions.angle(from, to);
   }
-  [[nodiscard]] DirectionArc vertex(const Boundary& polygon, const Ranks& ranks, Index i) const {
-    const Rank back = (ranks[polygon.previous(i)] + half_turn()) % (2 * half_turn());
-    return {ranks[i], angle(ranks[i], back)};
+  // The angle to the way back along an edge.
+  [[nodiscard]] Rank angle_to_back(Rank from, Rank arriving) const {
+    return angle(from, (arriving + half_turn()) % (2 * half_turn()));
+  }
+  [[nodiscard]] ConesOfPoint vertex(const Boundary& polygon, const Ranks& ranks,
+                                    const Touches& touches, Index i) const {
+    const Touch* const touch = touches.at(i);
+    if (touch == nullptr) {
+      return {{ranks[i], angle_to_back(ranks[i], ranks[polygon.previous(i)])}, {}};
+    }
+    const auto cone_from = [&](Rank from) {
+      Rank length = 2 * half_turn();
+      for (const Index arriving : touch->arriving) {
+        length = std::min(length, angle_to_back(from, ranks[arriving]));
+      }
+      return DirectionArc{from, length};
+    };
+    ConesOfPoint cones{cone_from(ranks[touch->leaving.front()]), {}};
+    for (std::size_t k = 1; k < touch->leaving.size(); ++k) {
+      cones.others.push_back(cone_from(ranks[touch->leaving[k]]));
+    }
+    return cones;
   }
 
   const Operands& operands_;
+  const Touches& touches_a_;
+  const Touches& touches_b_;
 };
 
 // The displacements of a place that contacts block. Of a place that is not in the open sum.

@@ -114,20 +114,31 @@ Place EdgeCover::exit_of(const PlacesOnLine& places, const Sides& sides) {
 template <class Visit>
 void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::Pair& pair,
                                Visit visit) {
-  const auto [i, j] = pair;
-  const Cones cones(operands_);
   const Place start = places.start();
-  const auto slide = [&](const PairEdge& edge, const DirectionArc& a, const DirectionArc& b) {
+  const auto slide = [&](const PairEdge& edge, const std::vector<Index>& touching,
+                         auto cones_overlap) {
     const Line line = Line::of(operands_, edge);
-    if (places.turn_from(line) != 0 || !cones.overlap(a, b) || places.side_of(line, start) != 0) {
+    if (places.turn_from(line) != 0 || !cones_overlap() || places.side_of(line, start) != 0) {
       return;
     }
-    const VertexSum from = start_of(edge);
-    const VertexSum to = end_of(operands_, edge);
-    visit(edge.rank == places.line().edge.rank ? Slide{from, to} : Slide{to, from});
+    const auto visit_part = [&](const VertexSum& from, const VertexSum& to) {
+      visit(edge.rank == places.line().edge.rank ? Slide{from, to} : Slide{to, from});
+    };
+    VertexSum from = start_of(edge);
+    for (const Index vertex : touching) {
+      const VertexSum to = edge.kind == PairEdge::translated ? VertexSum{vertex, edge.j}
+                                                             : VertexSum{edge.i, vertex};
+      visit_part(from, to);
+      from = to;
+    }
+    visit_part(from, end_of(operands_, edge));
   };
-  slide(operands_.translated(i, j), cones.edge_of_a(i), cones.vertex_of_b(j));
-  slide(operands_.corner(i, j), cones.vertex_of_a(i), cones.edge_of_b(j));
+  const Index i = pair.i;
+  const Index j = pair.j;
+  slide(operands_.translated(i, j), touches_a_.on(i),
+        [&] { return cones_.overlap(cones_.edge_of_a(i), cones_.vertex_of_b(j)); });
+  slide(operands_.corner(i, j), touches_b_.on(j),
+        [&] { return cones_.overlap(cones_.vertex_of_a(i), cones_.edge_of_b(j)); });
 }
 
 std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeLine& line,
@@ -263,17 +274,38 @@ EdgeCover::Containment EdgeCover::containment_at(const PlacesOnLine& places,
   return result;
 }
 
+bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const VertexSum& sum) const {
+  if (place.is_sum && place.sum == sum) {
+    return true;
+  }
+  const SumPoint point{operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
+  return side(places.line().at, point, tally_) == 0 &&
+         places.compare(place, Place::of(sum)) == 0;
+}
+
+bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place,
+                                  const WitnessSearch::Pair& pair) const {
+  for (const Index i : touches_a_.on(pair.i)) {
+    for (const Index j : touches_b_.on(pair.j)) {
+      if (is_at(places, place, {i, j})) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
   const auto [point, distance] = neighbourhood(line, place);
   search_.find_pairs(point, distance);
-  const Cones cones(operands_);
   Surroundings result{false, BlockedDirections(operands_.directions)};
-  const auto contact = [&](const DirectionArc& a, const DirectionArc& b) {
-    if (cones.overlap(a, b)) {
-      result.is_covered = true;
-    } else {
-      result.blocked.add(cones.sum(a, b));
+  const auto contact = [&](const ConesOfPoint& cones_a, const ConesOfPoint& cones_b) {
+    result.is_covered = cones_.overlap(cones_a, cones_b);
+    if (!result.is_covered) {
+      cones_a.for_each([&](const DirectionArc& a) {
+        cones_b.for_each([&](const DirectionArc& b) { result.blocked.add(cones_.sum(a, b)); });
+      });
     }
   };
   // Is the place strictly between the ends of the edge?
@@ -290,23 +322,26 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
     const Line& s = places.line();
     return side(s.at, operands_.start(edge), tally_) * side(s.at, operands_.end(edge), tally_) < 0;
   };
-  const auto is_at = [&](const VertexSum& sum) {
-    if (place.is_sum && place.sum == sum) {
-      return true;
-    }
-    const SumPoint other{operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-    return side(places.line().at, other, tally_) == 0 &&
-           places.compare(place, Place::of(sum)) == 0;
+  const auto is_among = [&](const std::vector<Index>& touching, auto sum) {
+    return std::any_of(touching.begin(), touching.end(),
+                       [&](Index vertex) { return is_at(places, place, sum(vertex)); });
   };
   for (const WitnessSearch::Pair& pair : search_.pairs()) {
-    const auto [i, j] = pair;
-    if (is_at({i, j})) {
-      contact(cones.vertex_of_a(i), cones.vertex_of_b(j));
+    const Index i = pair.i;
+    const Index j = pair.j;
+    if (is_at(places, place, {i, j})) {
+      contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
     } else if (lies_on(operands_.translated(i, j))) {
-      contact(cones.edge_of_a(i), cones.vertex_of_b(j));
+      // Where another ring touches the edge, the vertex of that tells.
+      if (!is_among(touches_a_.on(i), [&](Index k) { return VertexSum{k, j}; })) {
+        contact(cones_.edge_of_a(i), cones_.vertex_of_b(j));
+      }
     } else if (lies_on(operands_.corner(i, j))) {
-      contact(cones.vertex_of_a(i), cones.edge_of_b(j));
-    } else if (const std::optional<Sides> sides = sides_of(pair)) {
+      if (!is_among(touches_b_.on(j), [&](Index k) { return VertexSum{i, k}; })) {
+        contact(cones_.vertex_of_a(i), cones_.edge_of_b(j));
+      }
+    } else if (const std::optional<Sides> sides = sides_of(pair);
+               sides && !is_sum_of_touches(places, place, pair)) {
       result.is_covered =
           std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
             return places.side_of(side.line, place) == side.sign;

@@ -78,7 +78,15 @@ enum class Solids : std::uint8_t { one, several };
 class EdgeCover {
  public:
   EdgeCover(const Operands& operands, Solids solids, Tally& tally)
-      : operands_(operands), solids_(solids), tally_(tally), search_(operands) {}
+      : operands_(operands),
+        solids_(solids),
+        touches_a_(solids == Solids::one ? operands.a.touches() : no_touches_),
+        touches_b_(operands.b.touches()),
+        cones_(operands, touches_a_, touches_b_),
+        tally_(tally),
+        search_(operands) {}
+  EdgeCover(const EdgeCover&) = delete;
+  EdgeCover& operator=(const EdgeCover&) = delete;
 
   // What is known of a place.
   struct Surroundings {
@@ -124,11 +132,35 @@ class EdgeCover {
     }
   }
 
+  // The same for the sums of points in which rings of A touch with such points of B. These can be
+  // isolated points of F that lie on no superset edge.
+  template <class Visitor>
+  void visit_touches(Visitor& visitor) {
+    for (const Touch& p : touches_a_.all()) {
+      for (const Touch& q : touches_b_.all()) {
+        const PairEdge s = operands_.translated(p.vertices.front(), q.vertices.front());
+        const PlacesOnLine places(operands_, s, tally_);
+        const RelativeLine line{operands_.relative_start(s), places.line().at.dx,
+                                places.line().at.dy};
+        const Surroundings surroundings = look(places, line, places.start());
+        if (!surroundings.is_covered && surroundings.blocked.hold_all()) {
+          visitor.point(places, places.start());
+        }
+      }
+    }
+  }
+
  private:
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
   // beyond t, up to which s is covered; `start` if there is none.
   std::optional<Place> skip(const PlacesOnLine& places, const RelativeLine& line, double t,
                             const Place& start);
+  // Do rings of A touch at a point of edge i, and rings of B at one of edge j, so that their sum is
+  // the place? Then the parallelogram of these edges does not tell whether it lies in O.
+  [[nodiscard]] bool is_sum_of_touches(const PlacesOnLine& places, const Place& place,
+                                       const WitnessSearch::Pair& pair) const;
+  [[nodiscard]] bool is_at(const PlacesOnLine& places, const Place& place,
+                           const VertexSum& sum) const;
   // The contacts at a place. Leaves the pairs of edges near it in the search.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
   // Is one of x - B and a solid of A inside the other?
@@ -173,11 +205,16 @@ class EdgeCover {
     VertexSum from;
     VertexSum to;
   };
+  // Where other rings touch the edge, each part of it slides for itself.
   template <class Visit>
   void for_each_slide(const PlacesOnLine& places, const WitnessSearch::Pair& pair, Visit visit);
 
   const Operands& operands_;
   Solids solids_;
+  const Touches no_touches_;
+  const Touches& touches_a_;  // of solids that are one
+  const Touches& touches_b_;
+  Cones cones_;
   Tally& tally_;
   WitnessSearch search_;
 };

@@ -97,6 +97,9 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   EdgeCover cover(operands, Solids::one, tally);
   for_each_edge_of_half_plane(operands, cheapest_half_plane(operands),
                               [&](const PairEdge& s) { cover.walk(s, finder); });
+  if (wanted.fits) {
+    cover.visit_touches(finder);
+  }
   tally += finder.tally();
   const ExactOrder order(operands, tally);
   for (std::vector<RingVertex>& hole : finder.rings()) {

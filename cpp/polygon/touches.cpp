@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "touches.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "boundary.hpp"
+#include "overlapping_pairs.hpp"
+#include "predicates.hpp"
+
+namespace gcv {
+
+Touches::Touches(const Boundary& boundary) {
+  const RingLayout& layout = boundary.layout;
+  if (layout.ring_count() == 1) {
+    return;
+  }
+  const Index n = boundary.size();
+  std::vector<Box> boxes(n);
+  for (Index i = 0; i < n; ++i) {
+    boxes[i] = box_of(boundary.vertices[i], boundary.vertices[boundary.next(i)]);
+  }
+  // Vertices of other rings on the inside of each edge; vertices with others in the same point.
+  std::vector<std::vector<Index>> on_edges(n);
+  std::vector<Index> shared;
+  Tally tally;
+  const auto meet = [&](Index edge, Index vertex) {
+    const Point& p = boundary.vertices[vertex];
+    const Point& from = boundary.vertices[edge];
+    const Point& to = boundary.vertices[boundary.next(edge)];
+    if (p == from) {
+      shared.insert(shared.end(), {edge, vertex});
+    } else if (!(p == to) && !are_apart(boxes[edge], box_of(p, p)) &&
+               orientation(from, to, p, tally) == 0) {
+      on_edges[edge].push_back(vertex);
+    }
+  };
+  OverlappingPairs(boxes).visit_all([&](std::size_t e, std::size_t f) {
+    const auto i = static_cast<Index>(e);
+    const auto j = static_cast<Index>(f);
+    if (layout.ring_of(i) != layout.ring_of(j)) {
+      meet(i, j);
+      meet(i, boundary.next(j));
+      meet(j, i);
+      meet(j, boundary.next(i));
+    }
+  });
+
+  std::vector<Index> vertices = std::move(shared);
+  for (const std::vector<Index>& on : on_edges) {
+    vertices.insert(vertices.end(), on.begin(), on.end());
+  }
+  if (vertices.empty()) {
+    return;
+  }
+  const auto place = [&](Index i) { return boundary.vertices[i]; };
+  std::sort(vertices.begin(), vertices.end(), [&](Index i, Index j) {
+    return place(i) == place(j) ? i < j : lexicographically_less(place(i), place(j));
+  });
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  at_.assign(n, none);
+  on_.resize(n);
+  for (const Index vertex : vertices) {
+    if (all_.empty() || !(place(all_.back().vertices.front()) == place(vertex))) {
+      all_.emplace_back();
+    }
+    Touch& touch = all_.back();
+    touch.vertices.push_back(vertex);
+    touch.leaving.push_back(vertex);
+    touch.arriving.push_back(boundary.previous(vertex));
+    at_[vertex] = static_cast<Index>(all_.size() - 1);
+  }
+  for (Index edge = 0; edge < n; ++edge) {
+    std::vector<Index>& on = on_[edge];
+    for (const Index vertex : on_edges[edge]) {
+      on.push_back(all_[at_[vertex]].vertices.front());
+    }
+    const Point& from = place(edge);
+    const bool is_forwards = lexicographically_less(from, place(boundary.next(edge)));
+    std::sort(on.begin(), on.end(), [&](Index i, Index j) {
+      return is_forwards ? lexicographically_less(place(i), place(j))
+                         : lexicographically_less(place(j), place(i));
+    });
+    on.erase(std::unique(on.begin(), on.end()), on.end());
+    for (const Index vertex : on) {
+      Touch& touch = all_[at_[vertex]];
+      touch.leaving.push_back(edge);
+      touch.arriving.push_back(edge);
+    }
+  }
+}
+
+}  // namespace gcv
