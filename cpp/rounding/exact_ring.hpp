@@ -77,6 +77,7 @@ struct ExactRing {
   Point shift;  // added to every vertex
   std::vector<RingVertex> vertices;
   bool chains_are_repeated = false;  // see Walk
+  bool against_edges = false;        // edges have the opposite directions of their superset edges
 
   [[nodiscard]] std::size_t size() const { return vertices.size(); }
 };

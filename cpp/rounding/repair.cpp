@@ -12,6 +12,7 @@
 
 #include "cycle.hpp"
 #include "predicates.hpp"
+#include "ring_conflicts.hpp"
 #include "ring_predicates.hpp"
 #include "simplicity.hpp"
 #include "units.hpp"
@@ -26,8 +27,10 @@ constexpr double furthest = 6;  // the units in the last place that a vertex may
 
 class Separator {
  public:
-  Separator(const ExactRing& exact, const PointVector& nearest, Tally& tally)
+  Separator(const ExactRing& exact, std::span<const RingRange> rings, const PointVector& nearest,
+            Tally& tally)
       : exact_(exact),
+        ranges_(rings),
         nearest_(nearest),
         largest_units_(units_in_last_place(nearest)),
         places_(nearest),
@@ -36,43 +39,79 @@ class Separator {
 
   std::optional<PointVector> run() {
     for (int round = 0; round < rounds; ++round) {
-      ring_ = snap(places_);
-      if (ring_.vertices.size() < 3) {
+      if (!snap_all()) {
         return std::nullopt;
       }
-      const std::vector<Conflict> conflicts = find_all_conflicts(ring_.vertices);
+      const std::vector<RingConflict> conflicts = find_ring_conflicts(rings_);
       if (conflicts.empty()) {
-        return is_counter_clockwise(ring_.vertices) ? std::optional(places_) : std::nullopt;
+        return are_turned_right() ? std::optional(places_) : std::nullopt;
       }
       demands_.assign(places_.size(), {0, 0});
-      for (const Conflict& conflict : conflicts) {
-        restore_sides(conflict.first, conflict.second);
-        restore_sides(conflict.second, conflict.first);
+      for (const auto& [first, second] : conflicts) {
+        restore_sides(first, second);
+        restore_sides(second, first);
       }
-      move();
+      for (std::size_t r = 0; r < rings_.size(); ++r) {
+        if (!ranges_[r].is_fixed) {
+          move(r);
+        }
+      }
     }
     return std::nullopt;
   }
 
  private:
-  [[nodiscard]] std::size_t next(std::size_t k) const {
-    return cyclic_next(k, ring_.vertices.size());
+  // False where less than three vertices are left of a ring.
+  bool snap_all() {
+    rings_.resize(ranges_.size());
+    sources_.resize(ranges_.size());
+    for (std::size_t r = 0; r < ranges_.size(); ++r) {
+      SnappedRing ring = snap(std::span(places_).subspan(ranges_[r].first, ranges_[r].size));
+      rings_[r] = std::move(ring.vertices);
+      sources_[r] = std::move(ring.source);
+      if (rings_[r].size() < 3) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool are_turned_right() const {
+    for (std::size_t r = 0; r < ranges_.size(); ++r) {
+      if (is_counter_clockwise(rings_[r]) != ranges_[r].is_counter_clockwise) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  // Vertices and edges of rings have the same numbers.
+  [[nodiscard]] RingEdge next(const RingEdge& k) const {
+    return {k.ring, cyclic_next(k.edge, rings_[k.ring].size())};
+  }
+  [[nodiscard]] const Point& vertex(const RingEdge& k) const { return rings_[k.ring][k.edge]; }
+  // The exact vertex that it stands for.
+  [[nodiscard]] std::size_t source(const RingEdge& k) const {
+    return ranges_[k.ring].first + sources_[k.ring][k.edge];
   }
 
   // Moves the ends of edge f back to their sides of the line of edge e.
-  void restore_sides(std::size_t e, std::size_t f) {
-    for (const std::size_t end : {f, next(f)}) {
-      if (end != e && end != next(e)) {
+  void restore_sides(const RingEdge& e, const RingEdge& f) {
+    const auto is_end_of_e = [&](const RingEdge& end) {
+      return end.ring == e.ring && (end.edge == e.edge || end.edge == next(e).edge);
+    };
+    for (const RingEdge& end : {f, next(f)}) {
+      if (!is_end_of_e(end)) {
         restore_side(e, end);
       }
     }
   }
 
-  void restore_side(std::size_t e, std::size_t end) {
-    const Point& p = ring_.vertices[e];
-    const Point& q = ring_.vertices[next(e)];
-    const int wanted = exact_side(exact_, ring_.source[e], ring_.source[end], tally_);
-    if (wanted == 0 || orientation(p, q, ring_.vertices[end], tally_) == wanted) {
+  void restore_side(const RingEdge& e, const RingEdge& end) {
+    const Point& p = vertex(e);
+    const Point& q = vertex(next(e));
+    const int wanted = exact_side(exact_, source(e), source(end), tally_);
+    if (wanted == 0 || orientation(p, q, vertex(end), tally_) == wanted) {
       return;
     }
     // The unit normal of the line, to the wanted side. Scaled first, so that nothing overflows or
@@ -88,24 +127,25 @@ class Separator {
     demand(next(e), normal, -1);
   }
 
-  void demand(std::size_t k, const Point& normal, double factor) {
-    Point& sum = demands_[ring_.source[k]];
+  void demand(const RingEdge& k, const Point& normal, double factor) {
+    Point& sum = demands_[source(k)];
     sum = {sum.x + factor * normal.x, sum.y + factor * normal.y};
   }
 
   // Moves each vertex by one unit in the last place in the direction demanded of it. Vertices that
   // were rounded to one point move together.
-  void move() {
-    std::size_t k = 0;
-    for (const std::size_t last : ring_.source) {
-      const Point& sum = demands_[last];
+  void move(std::size_t ring) {
+    const auto& [begin, size, is_counter_clockwise, is_fixed] = ranges_[ring];
+    std::size_t k = begin;
+    for (const std::size_t last : sources_[ring]) {
+      const Point& sum = demands_[begin + last];
       const double length = std::sqrt(sum.x * sum.x + sum.y * sum.y);
-      for (; k <= last; ++k) {
+      for (; k <= begin + last; ++k) {
         shift(k, sum, length);
       }
     }
-    const Point& first = demands_[ring_.source.front()];
-    for (; k < places_.size(); ++k) {  // vertices that were rounded to the same point as vertex 0
+    const Point& first = demands_[begin + sources_[ring].front()];
+    for (; k < begin + size; ++k) {  // vertices that were rounded to the same point as the first
       shift(k, first, std::sqrt(first.x * first.x + first.y * first.y));
     }
   }
@@ -130,18 +170,20 @@ class Separator {
   }
 
   const ExactRing& exact_;
+  std::span<const RingRange> ranges_;
   const PointVector& nearest_;
   Point largest_units_;
   PointVector places_;
   PointVector moves_;  // in units in the last place
   PointVector demands_;
-  SnappedRing ring_;
+  std::vector<PointVector> rings_;
+  std::vector<std::vector<std::size_t>> sources_;  // of their vertices, in their ranges
   Tally& tally_;
 };
 
 }  // namespace
 
-SnappedRing snap(const PointVector& places) {
+SnappedRing snap(std::span<const Point> places) {
   SnappedRing ring;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (!(places[k] == places[cyclic_next(k, places.size())])) {
@@ -152,10 +194,10 @@ SnappedRing snap(const PointVector& places) {
   return ring;
 }
 
-std::optional<PointVector> separate(const ExactRing& ring, const PointVector& nearest,
-                                    Tally& tally) {
+std::optional<PointVector> separate(const ExactRing& ring, std::span<const RingRange> rings,
+                                    const PointVector& nearest, Tally& tally) {
   assert(nearest.size() == ring.size());
-  return Separator(ring, nearest, tally).run();
+  return Separator(ring, rings, nearest, tally).run();
 }
 
 }  // namespace gcv

@@ -100,8 +100,9 @@ int side_of_vertex(const Boundary& a, const Boundary& b, const SumEdge& line, co
 int exact_side(const ExactRing& ring, std::size_t edge, std::size_t vertex, Tally& tally) {
   const Boundary& a = *ring.a.ring;
   const Boundary& b = *ring.b.ring;
-  return side_of_vertex(a, b, coordinates(a, b, ring.vertices[edge].leaving()),
-                        ring.vertices[vertex], tally);
+  const int side = side_of_vertex(a, b, coordinates(a, b, ring.vertices[edge].leaving()),
+                                  ring.vertices[vertex], tally);
+  return ring.against_edges ? -side : side;
 }
 
 std::string exact_vertex(const ExactRing& ring, std::size_t k) {

@@ -89,7 +89,7 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
   const Index j = v.is_sum() ? v.j() : v.leaving().j;
   throw Error(
       Status::range,
-      "the %s coordinate of vertex %zu of the outer face, %s vertex %u of %s + vertex %u of "
+      "the %s coordinate of vertex %zu of the result, %s vertex %u of %s + vertex %u of "
       "%s, is beyond the largest double",
       x_is_finite ? "y" : "x", k, v.is_sum() ? "the sum" : "on an edge from the sum",
       ring.a.ring->corners[i].vertex_number, ring.a.name, ring.b.ring->corners[j].vertex_number,
@@ -181,7 +181,6 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
       }
     }
   };
-  assert(ring.size() >= 3);
   Placement placement;
   placement.places.resize(ring.size());
   boost::container::small_vector<Portion, 1> portions((ring.size() + Task::portion - 1) /

@@ -73,13 +73,25 @@ void add_part(ExactRegion& region, PartKind kind, Index polygon,
   region.vertices.insert(region.vertices.end(), vertices.begin(), vertices.end());
 }
 
-void add_fits(ExactRegion& region, Fits& fits) {
+// The same vertex, which the edge leaves. It lies on the line of the edge.
+RingVertex left_by(const Operands& operands, const RingVertex& v, const EdgeName& edge) {
+  if (v.is_sum()) {
+    return RingVertex::sum(v.i(), v.j(), v.arriving(), edge);
+  }
+  const Directions& directions = operands.directions;
+  const Rank angle = directions.angle(operands.named(v.arriving()).rank, operands.named(edge).rank);
+  const bool are_parallel = angle == 0 || angle == directions.half_turn;
+  return RingVertex::crossing(are_parallel ? v.leaving() : v.arriving(), edge);
+}
+
+void add_fits(const Operands& operands, Fits& fits, ExactRegion& region) {
   fits.finish(region.vertices);
   for (const auto& [edge, ends] : fits.segments()) {
-    add_part(region, PartKind::segment, RegionPart::no_polygon, {ends[0], ends[1]});
+    add_part(region, PartKind::segment, RegionPart::no_polygon,
+             {left_by(operands, ends[0].vertex, edge), ends[1].vertex});
   }
-  for (const RingVertex& point : fits.points()) {
-    add_part(region, PartKind::point, RegionPart::no_polygon, {point});
+  for (const auto& point : fits.points()) {
+    add_part(region, PartKind::point, RegionPart::no_polygon, {point.vertex});
   }
 }
 
@@ -101,7 +113,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
     cover.visit_touches(finder);
   }
   tally += finder.tally();
-  const ExactOrder order(operands, tally);
+  const ExactOrder order(operands.a, operands.b, {0, 0}, tally);
   for (std::vector<RingVertex>& hole : finder.rings()) {
     order.begin_with_smallest(hole);
   }
@@ -111,7 +123,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
     add_part(region, PartKind::hole, 0, hole);
   }
   if (wanted.fits) {
-    add_fits(region, finder.fits());
+    add_fits(operands, finder.fits(), region);
   }
 }
 
@@ -134,7 +146,7 @@ void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& 
     ++number;
   }
   if (wanted.fits) {
-    add_fits(region, finder.fits());
+    add_fits(operands, finder.fits(), region);
   }
 }
 

@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "exact_order.hpp"
 #include "predicates.hpp"
 #include "ring_predicates.hpp"
 
 namespace gcv {
 
-namespace {
-
 // Segments on one line follow each other in this order: by the direction of the line, then by the
 // line, then by their first ends.
-class SegmentOrder {
+class Fits::LineOrder {
  public:
-  SegmentOrder(const Operands& operands, const ExactOrder& order, Tally& tally)
+  LineOrder(const Operands& operands, const ExactOrder& order, Tally& tally)
       : operands_(operands), order_(order), tally_(tally) {}
 
   [[nodiscard]] bool operator()(const ExactSegment& p, const ExactSegment& q) const {
@@ -28,8 +25,7 @@ class SegmentOrder {
     if (const int side = side_of(p, q); side != 0) {
       return side < 0;
     }
-    const int by_first = order_.compare(p.ends[0], q.ends[0]);
-    return by_first != 0 ? by_first < 0 : order_.compare(p.ends[1], q.ends[1]) < 0;
+    return is_before(order_, p, q);
   }
 
   [[nodiscard]] bool are_on_one_line(const ExactSegment& p, const ExactSegment& q) const {
@@ -56,72 +52,75 @@ class SegmentOrder {
   Tally& tally_;
 };
 
-}  // namespace
+bool Fits::is_before(const ExactOrder& order, const ExactSegment& p, const ExactSegment& q) {
+  const int by_first = order.compare(p.ends[0], q.ends[0]);
+  return by_first != 0 ? by_first < 0 : order.compare(p.ends[1], q.ends[1]) < 0;
+}
 
-void Fits::finish(std::vector<RingVertex> corners) {
-  const ExactOrder order(operands_, tally_);
-  std::sort(points_.begin(), points_.end(), [&](const RingVertex& p, const RingVertex& q) {
-    return order.compare(p, q) < 0;
-  });
-  points_.erase(std::unique(points_.begin(), points_.end(),
-                            [&](const RingVertex& p, const RingVertex& q) {
-                              return order.compare(p, q) == 0;
-                            }),
-                points_.end());
+void Fits::add_segment(const EdgeName& edge, const RingVertex& from, const RingVertex& to) {
+  segments_.push_back({edge, {order_.placed(from), order_.placed(to)}});
+  auto& [first, last] = segments_.back().ends;
+  if (order_.compare(last, first) < 0) {
+    std::swap(first, last);
+  }
+}
+
+void Fits::finish(const std::vector<RingVertex>& corners) {
+  std::sort(points_.begin(), points_.end(),
+            [&](const auto& p, const auto& q) { return order_.compare(p, q) < 0; });
+  points_.erase(
+      std::unique(points_.begin(), points_.end(),
+                  [&](const auto& p, const auto& q) { return order_.compare(p, q) == 0; }),
+      points_.end());
   if (!segments_.empty()) {
     join();
-    cut(std::move(corners));
+    cut(corners);
   }
 }
 
 void Fits::join() {
-  const ExactOrder order(operands_, tally_);
-  for (ExactSegment& segment : segments_) {
-    if (order.compare(segment.ends[1], segment.ends[0]) < 0) {
-      std::swap(segment.ends[0], segment.ends[1]);
-    }
-  }
-  const SegmentOrder segment_order(operands_, order, tally_);
-  std::sort(segments_.begin(), segments_.end(), segment_order);
+  const LineOrder line_order(operands_, order_, tally_);
+  std::sort(segments_.begin(), segments_.end(), line_order);
   std::vector<ExactSegment> joined;
   for (const ExactSegment& segment : segments_) {
-    if (!joined.empty() && segment_order.are_on_one_line(joined.back(), segment) &&
-        order.compare(joined.back().ends[1], segment.ends[0]) >= 0) {
-      if (order.compare(joined.back().ends[1], segment.ends[1]) < 0) {
-        joined.back().ends[1] = segment.ends[1];
-      }
-    } else {
+    if (joined.empty() || !line_order.are_on_one_line(joined.back(), segment) ||
+        order_.compare(joined.back().ends[1], segment.ends[0]) < 0) {
       joined.push_back(segment);
+    } else if (order_.compare(joined.back().ends[1], segment.ends[1]) < 0) {
+      joined.back().ends[1] = segment.ends[1];
     }
   }
   segments_ = std::move(joined);
 }
 
-void Fits::cut(std::vector<RingVertex> corners) {
-  const ExactOrder order(operands_, tally_);
-  const auto is_before = [&](const RingVertex& p, const RingVertex& q) {
-    return order.compare(p, q) < 0;
+void Fits::cut(const std::vector<RingVertex>& corners) {
+  using Placed = ExactOrder::Placed;
+  const auto is_before_in_order = [&](const Placed& p, const Placed& q) {
+    return order_.compare(p, q) < 0;
   };
-  std::sort(corners.begin(), corners.end(), is_before);
+  std::vector<Placed> sorted;
+  sorted.reserve(corners.size());
+  for (const RingVertex& corner : corners) {
+    sorted.push_back(order_.placed(corner));
+  }
+  std::sort(sorted.begin(), sorted.end(), is_before_in_order);
   std::vector<ExactSegment> pieces;
   for (const auto& [edge, ends] : segments_) {
     const auto& [from, to] = ends;
     const SumEdge line = coordinates(operands_.a, operands_.b, edge);
-    RingVertex begin = from;
-    for (auto corner = std::upper_bound(corners.begin(), corners.end(), from, is_before);
-         corner != corners.end() && is_before(*corner, to); ++corner) {
-      if (side_of_vertex(operands_.a, operands_.b, line, *corner, tally_) == 0 &&
-          is_before(begin, *corner)) {
+    Placed begin = from;
+    for (auto corner = std::upper_bound(sorted.begin(), sorted.end(), from, is_before_in_order);
+         corner != sorted.end() && is_before_in_order(*corner, to); ++corner) {
+      if (side_of_vertex(operands_.a, operands_.b, line, corner->vertex, tally_) == 0 &&
+          is_before_in_order(begin, *corner)) {
         pieces.push_back({edge, {begin, *corner}});
         begin = *corner;
       }
     }
     pieces.push_back({edge, {begin, to}});
   }
-  std::sort(pieces.begin(), pieces.end(), [&](const ExactSegment& p, const ExactSegment& q) {
-    const int by_first = order.compare(p.ends[0], q.ends[0]);
-    return by_first != 0 ? by_first < 0 : order.compare(p.ends[1], q.ends[1]) < 0;
-  });
+  std::sort(pieces.begin(), pieces.end(),
+            [&](const auto& p, const auto& q) { return is_before(order_, p, q); });
   segments_ = std::move(pieces);
 }
 

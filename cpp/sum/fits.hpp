@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contributing_vertices.hpp"
+#include "exact_order.hpp"
 #include "exact_ring.hpp"
 #include "tally.hpp"
 
@@ -14,38 +15,41 @@ namespace gcv {
 
 // A straight part of the boundary without area on either side.
 struct ExactSegment {
-  EdgeName edge;                   // a superset edge along it
-  std::array<RingVertex, 2> ends;  // in lexicographic order
+  EdgeName edge;                           // a superset edge along it
+  std::array<ExactOrder::Placed, 2> ends;  // in lexicographic order
 };
 
 // Collects the segments and points that were found on superset edges. Several edges may have found
 // the same ones, or parts of them.
 class Fits {
  public:
-  Fits(const Operands& operands, Tally& tally) : operands_(operands), tally_(tally) {}
+  Fits(const Operands& operands, Tally& tally)
+      : operands_(operands), tally_(tally), order_(operands.a, operands.b, {0, 0}, tally) {}
 
   // Both lie on that superset edge.
-  void add_segment(const EdgeName& edge, const RingVertex& from, const RingVertex& to) {
-    segments_.push_back({edge, {from, to}});
-  }
-  void add_point(const RingVertex& point) { points_.push_back(point); }
+  void add_segment(const EdgeName& edge, const RingVertex& from, const RingVertex& to);
+  void add_point(const RingVertex& point) { points_.push_back(order_.placed(point)); }
 
   // Makes each point and segment the only one of its kind. Segments become maximal, and are cut where
-  // they meet one of these corners of rings. O(k log k + corners) where segments overlap no more
-  // than a few others.
-  void finish(std::vector<RingVertex> corners);
+  // they meet one of these corners of rings. O(k log k + corners) where few corners lie between the
+  // ends of a segment, in lexicographic order.
+  void finish(const std::vector<RingVertex>& corners);
 
   [[nodiscard]] const std::vector<ExactSegment>& segments() const { return segments_; }
-  [[nodiscard]] const std::vector<RingVertex>& points() const { return points_; }
+  [[nodiscard]] const std::vector<ExactOrder::Placed>& points() const { return points_; }
 
  private:
+  class LineOrder;
+
+  static bool is_before(const ExactOrder& order, const ExactSegment& p, const ExactSegment& q);
   void join();
-  void cut(std::vector<RingVertex> corners);
+  void cut(const std::vector<RingVertex>& corners);
 
   const Operands& operands_;
   Tally& tally_;
+  ExactOrder order_;
   std::vector<ExactSegment> segments_;
-  std::vector<RingVertex> points_;
+  std::vector<ExactOrder::Placed> points_;
 };
 
 }  // namespace gcv

@@ -74,9 +74,13 @@ class Cutter {
 
   std::vector<Visit> visits_of(const Ring& ring) {
     const std::size_t n = ring.size();
+    std::vector<ExactOrder::Placed> placed;
+    for (const RingVertex& corner : ring) {
+      placed.push_back(order_.placed(corner));
+    }
     std::vector<Box> boxes(n);
     for (std::size_t k = 0; k < n; ++k) {
-      boxes[k] = order_.box_of_edge(ring[k], ring[cyclic_next(k, n)]);
+      boxes[k] = ExactOrder::box_of_edge(placed[k], placed[cyclic_next(k, n)]);
     }
     std::vector<Index> points(n);
     std::vector<std::vector<Index>> on_edges(n);
@@ -88,11 +92,11 @@ class Cutter {
       if (corner == edge || corner == next) {
         return;
       }
-      const int from = order_.compare(ring[edge], ring[corner]);
+      const int from = order_.compare(placed[edge], placed[corner]);
       if (from == 0) {
         points[std::max(edge, corner)] =
             std::min(points[std::max(edge, corner)], static_cast<Index>(std::min(edge, corner)));
-      } else if (from * order_.compare(ring[corner], ring[next]) > 0 &&
+      } else if (from * order_.compare(placed[corner], placed[next]) > 0 &&
                  lies_on_line(ring[edge].leaving(), ring[corner])) {
         on_edges[edge].push_back(static_cast<Index>(corner));
       }
@@ -107,9 +111,9 @@ class Cutter {
     for (std::size_t k = 0; k < n; ++k) {
       const RingVertex& corner = ring[k];
       visits.push_back({corner, points[k], corner.arriving(), corner.leaving()});
-      const int way = order_.compare(corner, ring[cyclic_next(k, n)]);
+      const int way = order_.compare(placed[k], placed[cyclic_next(k, n)]);
       std::sort(on_edges[k].begin(), on_edges[k].end(), [&](Index p, Index q) {
-        return order_.compare(ring[p], ring[q]) * way > 0;
+        return order_.compare(placed[p], placed[q]) * way > 0;
       });
       for (const Index on : on_edges[k]) {
         if (visits.back().point != points[on]) {
@@ -176,7 +180,7 @@ int locate(const Operands& operands, const ExactOrder& order, const Ring& ring,
 
 std::vector<FreePolygon> free_polygons(const Operands& operands, std::vector<Ring> rings, bool cut,
                                        Tally& tally) {
-  const ExactOrder order(operands, tally);
+  const ExactOrder order(operands.a, operands.b, {0, 0}, tally);
   if (cut) {
     Cutter cutter(operands, order, tally);
     std::vector<Ring> simple;

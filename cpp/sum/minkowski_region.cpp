@@ -5,6 +5,7 @@
 
 #include "exact_region.hpp"
 #include "outer_face.hpp"
+#include "region_rounding.hpp"
 
 namespace gcv {
 
@@ -29,6 +30,7 @@ Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, cons
                           merge_directions(*exact.a.ring, *exact.b.ring, tally)};
   find_sum_parts(operands, walk.vertices, {!options.leave_out_holes, !options.leave_out_fits}, task,
                  tally, exact);
+  region.rounded = round_to_nearest(exact, true, task, tally);
   return region;
 }
 
@@ -43,7 +45,9 @@ Region inner_fit_region(const RegionOperand& container, const RegionOperand& ref
   exact.shift = shift;
   const Operands operands{*exact.a.ring, *exact.b.ring,
                           merge_directions(*exact.a.ring, *exact.b.ring, tally)};
+  exact.against_edges = true;
   find_free_parts(operands, {true, !options.leave_out_fits}, task, tally, exact);
+  region.rounded = round_to_nearest(exact, false, task, tally);
   return region;
 }
 

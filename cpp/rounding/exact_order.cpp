@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_order.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "exact_coordinates.hpp"
+#include "exact_numbers.hpp"
+#include "rounding.hpp"
+#include "vector.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The number x / w * 2^exponent.
+struct Fraction {
+  BigInteger x;
+  BigInteger w;
+  int exponent;
+};
+
+int compare(Fraction p, Fraction q) {
+  p.x *= q.w;
+  q.x *= p.w;
+  if (p.exponent > q.exponent) {
+    p.x <<= p.exponent - q.exponent;
+  } else {
+    q.x <<= q.exponent - p.exponent;
+  }
+  return p.x.compare(q.x);
+}
+
+Fraction x_of(const ExactVertex& vertex) {
+  auto p = vertex.homogeneous<BigInteger>();
+  return {std::move(p.x), std::move(p.w), vertex.grid().exponent()};
+}
+Fraction y_of(const ExactVertex& vertex) {
+  auto p = vertex.homogeneous<BigInteger>();
+  return {std::move(p.y), std::move(p.w), vertex.grid().exponent()};
+}
+Fraction fraction(double x) {
+  const Grid grid{Point{x, x}};
+  return {grid.integer<BigInteger>(x), BigInteger(1), grid.exponent()};
+}
+
+// By the nearest doubles, unless these are equal and one is not exact.
+std::optional<int> compare(const RoundedNumber& p, const RoundedNumber& q) {
+  if (p.value != q.value || (p.exact && q.exact)) {
+    return (p.value > q.value) - (p.value < q.value);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ExactOrder::Placed ExactOrder::placed(const RingVertex& vertex) const {
+  return {vertex, rounded_vertex(a_, b_, vertex, shift_, tally_)};
+}
+
+int ExactOrder::compare(const Placed& p, const Placed& q) const {
+  const auto exact = [&](const Placed& v) { return ExactVertex(a_, b_, v.vertex, shift_); };
+  const auto by_fractions = [&](auto coordinate) {
+    ++tally_.rational;
+    return gcv::compare(coordinate(exact(p)), coordinate(exact(q)));
+  };
+  std::optional<int> order = gcv::compare(p.nearest.x, q.nearest.x);
+  if (!order) {
+    order = by_fractions(x_of);
+  }
+  if (*order != 0) {
+    return *order;
+  }
+  order = gcv::compare(p.nearest.y, q.nearest.y);
+  return order ? *order : by_fractions(y_of);
+}
+
+int ExactOrder::compare(const Placed& p, const Point& q) const {
+  const auto by_fractions = [&](auto coordinate, double x) {
+    ++tally_.rational;
+    return gcv::compare(coordinate(ExactVertex(a_, b_, p.vertex, shift_)), fraction(x));
+  };
+  std::optional<int> order = gcv::compare(p.nearest.x, RoundedNumber{q.x, true});
+  if (!order) {
+    order = by_fractions(x_of, q.x);
+  }
+  if (*order != 0) {
+    return *order;
+  }
+  order = gcv::compare(p.nearest.y, RoundedNumber{q.y, true});
+  return order ? *order : by_fractions(y_of, q.y);
+}
+
+Box ExactOrder::box_of_edge(const Placed& p, const Placed& q) {
+  const auto near = [](const Placed& v) { return Point{v.nearest.x.value, v.nearest.y.value}; };
+  const Box box = box_of(near(p), near(q));
+  return {-next_up(-box.x0), -next_up(-box.y0), next_up(box.x1), next_up(box.y1)};
+}
+
+bool ExactOrder::is_before(const std::vector<RingVertex>& p,
+                           const std::vector<RingVertex>& q) const {
+  for (std::size_t k = 0; k < std::min(p.size(), q.size()); ++k) {
+    if (const int order = compare(p[k], q[k]); order != 0) {
+      return order < 0;
+    }
+  }
+  return p.size() < q.size();
+}
+
+void ExactOrder::begin_with_smallest(std::vector<RingVertex>& ring) const {
+  std::size_t smallest = 0;
+  Placed best = placed(ring.front());
+  for (std::size_t k = 1; k < ring.size(); ++k) {
+    const Placed other = placed(ring[k]);
+    if (compare(other, best) < 0) {
+      smallest = k;
+      best = other;
+    }
+  }
+  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(smallest), ring.end());
+}
+
+}  // namespace gcv

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The exact lexicographic order of the vertices of a sum.
+#pragma once
+
+#include <vector>
+
+#include "box.hpp"
+#include "double_double_rounding.hpp"
+#include "exact_ring.hpp"
+#include "tally.hpp"
+
+namespace gcv {
+
+// Compares by the nearest doubles at first: rounding is monotonic.
+class ExactOrder {
+ public:
+  // Of vertices of a + b + shift.
+  ExactOrder(const Boundary& a, const Boundary& b, const Point& shift, Tally& tally)
+      : a_(a), b_(b), shift_(shift), tally_(tally) {}
+
+  // A vertex and its nearest doubles.
+  struct Placed {
+    RingVertex vertex;
+    RoundedVertex nearest;
+  };
+  [[nodiscard]] Placed placed(const RingVertex& vertex) const;
+
+  // Negative if p comes first, 0 if they are one point.
+  [[nodiscard]] int compare(const Placed& p, const Placed& q) const;
+  [[nodiscard]] int compare(const Placed& p, const Point& q) const;
+  [[nodiscard]] int compare(const RingVertex& p, const RingVertex& q) const {
+    return compare(placed(p), placed(q));
+  }
+
+  // A box that holds the edge from p to q.
+  [[nodiscard]] static Box box_of_edge(const Placed& p, const Placed& q);
+
+  // Do the vertices of the first ring come before those of the second?
+  [[nodiscard]] bool is_before(const std::vector<RingVertex>& p,
+                               const std::vector<RingVertex>& q) const;
+
+  // Rotates the ring.
+  void begin_with_smallest(std::vector<RingVertex>& ring) const;
+
+ private:
+  const Boundary& a_;
+  const Boundary& b_;
+  Point shift_;
+  Tally& tally_;
+};
+
+}  // namespace gcv
