@@ -38,7 +38,10 @@ struct RoundedRegion {
   std::vector<RegionPart> parts;
   // For each vertex, the exact vertex that it stands for: the first of those that fell together.
   std::vector<std::uint64_t> exact_indices;
+  // The distance of a point of the exact parts from what is returned for them, at most, and the other
+  // way round. A part that is dropped counts with its extents.
   double error_bound = 0;
+  double displacement = 0;  // that of a vertex, at most
   std::uint64_t vertices_repaired = 0;
   std::uint64_t parts_dropped = 0;  // too thin for doubles
 };

@@ -288,7 +288,7 @@ class RegionRounder {
     ring.replaced = ring_through(ring.part->kind == PartKind::outer
                                      ? snapped->vertices
                                      : reversed(snapped->vertices));
-    lost_ = std::max(lost_, snapped->error_bound);
+    displaced_ = std::max(displaced_, snapped->error_bound);
     repaired_ += ring.replaced->size();
   }
 
@@ -361,7 +361,8 @@ class RegionRounder {
       rounded.parts.push_back({part.kind, polygon, first, rounded.vertices.size() - first});
     }
     add_fits(rounded);
-    rounded.error_bound = std::max(sum_bound(error_bound_, furthest_), sum_bound(error_bound_, lost_));
+    rounded.displacement = sum_bound(error_bound_, std::max(furthest_, displaced_));
+    rounded.error_bound = std::max(rounded.displacement, sum_bound(error_bound_, lost_));
     rounded.vertices_repaired = repaired_;
     rounded.parts_dropped = dropped_;
     return rounded;
@@ -430,6 +431,7 @@ class RegionRounder {
   PointVector places_;
   double error_bound_ = 0;  // of the nearest doubles, and of the outer face
   double furthest_ = 0;     // that a vertex was moved
+  double displaced_ = 0;    // that a ring was, by snap rounding
   double lost_ = 0;         // with what was dropped
   std::uint64_t repaired_ = 0;
   std::uint64_t dropped_ = 0;

@@ -2,6 +2,8 @@
 #include "ring_conflicts.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <tuple>
 
 #include "box.hpp"
@@ -113,7 +115,7 @@ std::vector<RingConflict> find_ring_conflicts(std::span<const PointVector> rings
       }
     }
   }
-  if (rings.size() == 1) {
+  if (rings.size() <= 1) {
     return conflicts;
   }
   const AllEdges all(rings, 0);
@@ -135,6 +137,9 @@ std::vector<RingConflict> find_ring_conflicts(std::span<const PointVector> rings
 }
 
 bool are_rings_near(std::span<const PointVector> rings, double distance) {
+  if (rings.size() <= 1) {
+    return false;
+  }
   const AllEdges all(rings, distance);
   return !OverlappingPairs(all.boxes).visit_some(
       std::numeric_limits<std::uint64_t>::max(), [&](std::size_t i, std::size_t j) {

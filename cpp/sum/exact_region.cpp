@@ -2,6 +2,7 @@
 #include "exact_region.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -37,6 +38,8 @@ class Finder {
     auto ring = walker_.ring(from, places.line().edge,
                              [&](const RingVertex& vertex) { return known_.has(vertex); });
     if (ring.walk) {
+      steps_ += ring.walk->steps;
+      candidates_ = ring.walk->candidates;  // of all rings so far
       add_known(ring.walk->vertices);
       rings_.push_back(std::move(ring.walk->vertices));
     }
@@ -53,6 +56,8 @@ class Finder {
   std::vector<std::vector<RingVertex>>& rings() { return rings_; }
   Fits& fits() { return fits_; }
   [[nodiscard]] const Tally& tally() const { return walker_.tally(); }
+  [[nodiscard]] std::uint64_t steps() const { return steps_; }
+  [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
  private:
   static RingVertex vertex(const PlacesOnLine& places, const Place& place) {
@@ -65,6 +70,8 @@ class Finder {
   Walker<Search> walker_;
   Fits fits_;
   std::vector<std::vector<RingVertex>> rings_;
+  std::uint64_t steps_ = 0;
+  std::uint64_t candidates_ = 0;
 };
 
 void add_part(ExactRegion& region, PartKind kind, Index polygon,
@@ -95,24 +102,45 @@ void add_fits(const Operands& operands, Fits& fits, ExactRegion& region) {
   }
 }
 
+// Asks all superset edges of half a plane of directions.
+void walk_half_plane(const Operands& operands, EdgeCover& cover, Finder& finder, Task& task,
+                     Counts& counts) {
+  std::uint64_t edges = 0;
+  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands), [&](const PairEdge& s) {
+    cover.walk(s, finder);
+    if (++edges % Task::portion == 0) {
+      task.advance(Task::portion);
+    }
+  });
+  counts.candidate_edges += edges + finder.candidates();
+  counts.walk_steps += finder.steps();
+  counts.predicates += finder.tally();
+}
+
 }  // namespace
 
-void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
-                    const WantedParts& wanted, Task& task, Tally& tally, ExactRegion& region) {
+void add_outer_ring(const std::vector<RingVertex>& outer, ExactRegion& region) {
   add_part(region, PartKind::outer, 0, outer);
-  if (!wanted.holes && !wanted.fits) {
+}
+
+void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
+                    const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
+  Tally& tally = counts.predicates;
+  add_outer_ring(outer, region);
+  if (operands.a.is_convex && operands.b.is_convex) {
     return;
   }
   const SearchableSuperset superset(operands);
   Finder finder(operands, superset, task, tally);
   finder.add_known(outer);
   EdgeCover cover(operands, Solids::one, tally);
-  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands),
-                              [&](const PairEdge& s) { cover.walk(s, finder); });
+  walk_half_plane(operands, cover, finder, task, counts);
   if (wanted.fits) {
     cover.visit_touches(finder);
   }
-  tally += finder.tally();
+  if (!wanted.holes) {
+    finder.rings().clear();
+  }
   const ExactOrder order(operands.a, operands.b, {0, 0}, tally);
   for (std::vector<RingVertex>& hole : finder.rings()) {
     order.begin_with_smallest(hole);
@@ -127,15 +155,14 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
 }
 
-void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Tally& tally,
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Counts& counts,
                      ExactRegion& region) {
+  Tally& tally = counts.predicates;
   const Solids solids = operands.a.layout.ring_count() > 1 ? Solids::several : Solids::one;
   const SearchableSuperset superset(operands);
   Finder finder(operands, superset, task, tally);
   EdgeCover cover(operands, solids, tally);
-  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands),
-                              [&](const PairEdge& s) { cover.walk(s, finder); });
-  tally += finder.tally();
+  walk_half_plane(operands, cover, finder, task, counts);
   Index number = 0;
   for (const auto& [outer, holes] : free_polygons(operands, std::move(finder.rings()),
                                                   solids == Solids::several, tally)) {

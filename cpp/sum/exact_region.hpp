@@ -4,7 +4,10 @@
 // points. As canonical parts.
 #pragma once
 
+#include <vector>
+
 #include "contributing_vertices.hpp"
+#include "minkowski_sum.hpp"
 #include "region.hpp"
 #include "task.hpp"
 
@@ -16,12 +19,15 @@ struct WantedParts {
   bool fits = true;  // segments and points
 };
 
-// The parts of the closed sum of two polygons. `outer` is the walk along its outer face.
-void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
-                    const WantedParts& wanted, Task& task, Tally& tally, ExactRegion& region);
+// Adds the first ring of a sum.
+void add_outer_ring(const std::vector<RingVertex>& outer, ExactRegion& region);
 
-// The parts of the free set, where the solid of A is the outside of a container.
-void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Tally& tally,
+// Adds the parts of the closed sum of two polygons. `outer` is the ring of its outer face.
+void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
+                    const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region);
+
+// Adds the parts of the free set, where the solid of A is the outside of a container.
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Counts& counts,
                      ExactRegion& region);
 
 }  // namespace gcv

@@ -3,51 +3,127 @@
 
 #include <utility>
 
+#include "box.hpp"
+#include "directions.hpp"
+#include "error.hpp"
 #include "exact_region.hpp"
 #include "outer_face.hpp"
+#include "region_outward.hpp"
 #include "region_rounding.hpp"
+#include "units.hpp"
 
 namespace gcv {
 
 namespace {
 
-Operand all_rings(const RegionOperand& operand) {
-  return {{operand.polygon, &operand.polygon->boundary()}, operand.name, operand.error_bound};
+std::shared_ptr<const Boundary> all_rings(const std::shared_ptr<const Polygon>& polygon) {
+  return {polygon, &polygon->boundary()};
+}
+
+// The exact parts of a sum of these operands.
+ExactRegion exact_sum(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                      const WantedParts& wanted, Task& task, Counts& counts) {
+  Tally& tally = counts.predicates;
+  const Walk walk = walk_outer_face(a.polygon->outer, b.polygon->outer, task, tally);
+  counts.walk_steps += walk.steps;
+  counts.candidate_edges += walk.candidates;
+  ExactRegion exact;
+  exact.a = {all_rings(a.polygon), a.name, a.error_bound};
+  exact.b = {all_rings(b.polygon), b.name, b.error_bound};
+  exact.shift = shift;
+  exact.chains_are_repeated = walk.chains_are_repeated;
+  if (!wanted.holes && !wanted.fits) {
+    add_outer_ring(walk.vertices, exact);
+    return exact;
+  }
+  const Operands operands{*exact.a.ring, *exact.b.ring,
+                          merge_directions(*exact.a.ring, *exact.b.ring, tally)};
+  find_sum_parts(operands, walk.vertices, wanted, task, counts, exact);
+  return exact;
+}
+
+// Where a polygon fits into a container. The container is solid outside.
+ExactRegion exact_fits(const RegionOperand& container, const RegionOperand& reflected,
+                       const Point& shift, const WantedParts& wanted, Task& task, Counts& counts) {
+  ExactRegion exact;
+  exact.a = {std::make_shared<const Boundary>(container.polygon->boundary().complement()),
+             container.name, container.error_bound};
+  exact.b = {all_rings(reflected.polygon), reflected.name, reflected.error_bound};
+  exact.shift = shift;
+  exact.against_edges = true;
+  const Operands operands{*exact.a.ring, *exact.b.ring,
+                          merge_directions(*exact.a.ring, *exact.b.ring, counts.predicates)};
+  find_free_parts(operands, wanted, task, counts, exact);
+  return exact;
+}
+
+// An operand within half of the tolerance of the given polygon.
+RegionOperand simplified(const RegionOperand& operand, const SumOptions& options) {
+  if (options.tolerance == 0) {
+    return operand;
+  }
+  if (operand.polygon->holes.empty()) {
+    const Simplified near = simplified_for_sum(outer_ring(operand.polygon), options);
+    return {std::make_shared<const Polygon>(*near.ring), operand.name, near.error_bound};
+  }
+  const SimplifiedPolygon near =
+      simplify(operand.polygon, options.tolerance / 2, options.rounding);
+  return {near.polygon, operand.name, near.error_bound};
 }
 
 }  // namespace
 
 Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                             const RegionOptions& options, Task& task) {
+  task.begin(estimated_steps(a.polygon->outer, b.polygon->outer));
+  const RegionOperand near_a = simplified(a, options);
+  const RegionOperand near_b = simplified(b, options);
+  if (shift == Point{0, 0}) {
+    check_extremes({outer_ring(near_a.polygon), a.name}, {outer_ring(near_b.polygon), b.name});
+  }
   Region region;
   Tally& tally = region.counts.predicates;
-  Walk walk = walk_outer_face(a.polygon->outer, b.polygon->outer, task, tally);
-  ExactRegion& exact = region.exact;
-  exact.a = all_rings(a);
-  exact.b = all_rings(b);
-  exact.shift = shift;
-  const Operands operands{*exact.a.ring, *exact.b.ring,
-                          merge_directions(*exact.a.ring, *exact.b.ring, tally)};
-  find_sum_parts(operands, walk.vertices, {!options.leave_out_holes, !options.leave_out_fits}, task,
-                 tally, exact);
-  region.rounded = round_to_nearest(exact, true, task, tally);
+  const WantedParts wanted{!options.leave_out_holes, !options.leave_out_fits};
+  region.exact = exact_sum(near_a, near_b, shift, wanted, task, region.counts);
+  if (options.rounding == Rounding::nearest) {
+    region.rounded = round_to_nearest(region.exact, true, task, tally);
+  } else {
+    const auto outer_face_of = [&](const Boundary& p, const Boundary& q) {
+      return walk_outer_face(p, q, task, tally).vertices;
+    };
+    const auto sum_with = [&](const std::shared_ptr<const Polygon>& polygon,
+                              const std::shared_ptr<const Polygon>& square) {
+      Counts counts;
+      return exact_sum({polygon, "the rounded region"}, {square, "the square"}, {0, 0},
+                       {true, false}, task, counts);
+    };
+    region.rounded = round_region_outward(region.exact, outer_face_of, sum_with, task, tally);
+  }
+  region.rounded.error_bound =
+      sum_bound(region.rounded.error_bound, sum_bound(near_a.error_bound, near_b.error_bound));
+  task.finish();
   return region;
 }
 
 Region inner_fit_region(const RegionOperand& container, const RegionOperand& reflected,
                         const Point& shift, const RegionOptions& options, Task& task) {
+  task.begin(estimated_steps(container.polygon->outer, reflected.polygon->outer));
   Region region;
   Tally& tally = region.counts.predicates;
-  ExactRegion& exact = region.exact;
-  exact.a = {std::make_shared<const Boundary>(container.polygon->boundary().complement()),
-             container.name, container.error_bound};
-  exact.b = all_rings(reflected);
-  exact.shift = shift;
-  const Operands operands{*exact.a.ring, *exact.b.ring,
-                          merge_directions(*exact.a.ring, *exact.b.ring, tally)};
-  exact.against_edges = true;
-  find_free_parts(operands, {true, !options.leave_out_fits}, task, tally, exact);
-  region.rounded = round_to_nearest(exact, false, task, tally);
+  region.exact =
+      exact_fits(container, reflected, shift, {true, !options.leave_out_fits}, task, region.counts);
+  if (options.rounding == Rounding::nearest) {
+    region.rounded = round_to_nearest(region.exact, false, task, tally);
+  } else {
+    const auto fits_of = [&](const std::shared_ptr<const Polygon>& polygon,
+                             const std::shared_ptr<const Polygon>& square) {
+      Counts counts;
+      return exact_fits({polygon, "the rounded region"}, {square, "the square"}, {0, 0},
+                        {true, false}, task, counts);
+    };
+    region.rounded = round_region_inward(region.exact, fits_of, task, tally);
+  }
+  task.finish();
   return region;
 }
 

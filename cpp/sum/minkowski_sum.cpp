@@ -17,26 +17,6 @@ namespace gcv {
 
 namespace {
 
-// The extreme coordinates of the sum are those of vertices of its outer face. Where one is
-// not finite, nor is a search in doubles of use: better to know before the walk.
-void check_extremes(const Operand& a, const Operand& b) {
-  const auto check = [&](const char* name, double x, double y) {
-    if (!std::isfinite(x + y)) {
-      throw Error(
-          Status::range,
-          "the %s coordinate of the outer face, the sum of %g of %s and %g of %s, is beyond "
-          "the largest double",
-          name, x, a.name, y, b.name);
-    }
-  };
-  const Box& box_a = a.ring->bounds;
-  const Box& box_b = b.ring->bounds;
-  check("smallest x", box_a.x0, box_b.x0);
-  check("largest x", box_a.x1, box_b.x1);
-  check("smallest y", box_a.y0, box_b.y0);
-  check("largest y", box_a.y1, box_b.y1);
-}
-
 Operand simplified_operand(const Operand& operand, const SumOptions& options) {
   const Simplified near = simplified_for_sum(operand.ring, options);
   return {near.ring, operand.name, near.error_bound};
@@ -57,6 +37,25 @@ Point finite_sum(const SumPoint& point) {
 }
 
 }  // namespace
+
+// Where one is not finite, nor is a search in doubles of use: better to know before the walk.
+void check_extremes(const Operand& a, const Operand& b) {
+  const auto check = [&](const char* name, double x, double y) {
+    if (!std::isfinite(x + y)) {
+      throw Error(
+          Status::range,
+          "the %s coordinate of the outer face, the sum of %g of %s and %g of %s, is beyond "
+          "the largest double",
+          name, x, a.name, y, b.name);
+    }
+  };
+  const Box& box_a = a.ring->bounds;
+  const Box& box_b = b.ring->bounds;
+  check("smallest x", box_a.x0, box_b.x0);
+  check("largest x", box_a.x1, box_b.x1);
+  check("smallest y", box_a.y0, box_b.y0);
+  check("largest y", box_a.y1, box_b.y1);
+}
 
 std::uint64_t estimated_steps(const Boundary& a, const Boundary& b) {
   return 2 * (std::uint64_t{a.size()} + b.size());

@@ -44,6 +44,10 @@ std::uint64_t estimated_steps(const Boundary& a, const Boundary& b);
 Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
                               const SumOptions& options);
 
+// The extreme coordinates of a sum are those of vertices of its outer face. Throws Error: range, if
+// one is not finite.
+void check_extremes(const Operand& a, const Operand& b);
+
 // The outer face of a + b + shift, of these operands as they are. Their error bounds count in the
 // error bound of the result. Throws Error: range, cancelled, internal.
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,

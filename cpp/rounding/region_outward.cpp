@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The method is that of outward.cpp. The exact region is rounded to the nearest doubles, which gives
+// N. Let e1 bound how far vertices move. N is grown by a square of half width d, or shrunk, exactly.
+// The result is rounded to the nearest doubles again, where vertices move by at most e2. If
+// e1 + e2 < d, what was outside stays outside.
+//
+// The error. A point that shrinking takes away is within sqrt(2) d of what was outside before.
+#include "region_outward.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "error.hpp"
+#include "exact_indices.hpp"
+#include "region_rounding.hpp"
+#include "rounding.hpp"
+#include "units.hpp"
+#include "vector.hpp"
+
+namespace gcv {
+
+namespace {
+
+// A polygon of a rounded region, and where its vertices are in that.
+struct RoundedPolygon {
+  std::shared_ptr<const Polygon> polygon;
+  std::size_t first;  // vertex of the region
+
+  // The vertex of the region that vertex i of the polygon's boundary is.
+  [[nodiscard]] std::size_t vertex_of(Index i) const {
+    return first + polygon->boundary().corners[i].vertex_number;
+  }
+};
+
+std::vector<RoundedPolygon> polygons_of(const RoundedRegion& region) {
+  std::vector<RoundedPolygon> polygons;
+  for (std::size_t k = 0; k < region.parts.size() && region.parts[k].is_ring();) {
+    const std::size_t first = region.parts[k].first;
+    const Index number = region.parts[k].polygon;
+    std::vector<PointVector> rings;
+    for (; k < region.parts.size() && region.parts[k].polygon == number; ++k) {
+      const auto begin = region.vertices.begin() + static_cast<std::ptrdiff_t>(region.parts[k].first);
+      rings.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(region.parts[k].size));
+    }
+    polygons.push_back(
+        {std::make_shared<const Polygon>(make_polygon(std::move(rings), "the rounded region")),
+         first});
+  }
+  return polygons;
+}
+
+std::shared_ptr<const Polygon> square(double d) {
+  return std::make_shared<const Polygon>(
+      make_polygon(PointVector{{-d, -d}, {d, -d}, {d, d}, {-d, d}}, "square"));
+}
+
+class SafeRounder {
+ public:
+  SafeRounder(const RegionWithSquare& with_square, Task& task, Tally& tally)
+      : with_square_(with_square), task_(task), tally_(tally) {}
+
+  // The rings of the region on the safe side of the exact ones.
+  RoundedRegion run(const RoundedRegion& nearest) {
+    const std::vector<RoundedPolygon> polygons = polygons_of(nearest);
+    const Point units = units_in_last_place(nearest.vertices);
+    double d = 2 * std::max(units.x, units.y);
+    while (d <= nearest.displacement) {
+      d *= 2;
+    }
+    for (int tries = 0; tries < 6; ++tries, d *= 2) {
+      if (std::optional<RoundedRegion> safe = with(nearest, polygons, d)) {
+        return std::move(*safe);
+      }
+    }
+    throw Error(Status::range, "no region of doubles close to the exact one was found");
+  }
+
+ private:
+  std::optional<RoundedRegion> with(const RoundedRegion& nearest,
+                                    const std::vector<RoundedPolygon>& polygons, double d) {
+    RoundedRegion safe;
+    std::vector<bool> is_left(nearest.vertices.size());
+    Index number = 0;
+    for (const RoundedPolygon& polygon : polygons) {
+      const ExactRegion exact = with_square_(polygon.polygon, square(d));
+      const RoundedRegion rounded = round_to_nearest(exact, false, task_, tally_);
+      if (!(sum_bound(nearest.displacement, rounded.displacement) < d)) {
+        return std::nullopt;
+      }
+      safe.displacement = std::max(safe.displacement, rounded.displacement);
+      safe.vertices_repaired += rounded.vertices_repaired;
+      for (const RegionPart& part : rounded.parts) {
+        if (part.is_ring()) {
+          add(rounded, part, number, safe);
+        }
+      }
+      for (const std::uint64_t index : rounded.exact_indices) {
+        const RingVertex& v = exact.vertices[index];
+        const std::size_t vertex = polygon.vertex_of(v.is_sum() ? v.i() : v.leaving().i);
+        is_left[vertex] = true;
+        safe.exact_indices.push_back(nearest.exact_indices[vertex]);
+      }
+      number = safe.parts.empty() ? 0 : safe.parts.back().polygon + 1;
+    }
+    safe.error_bound = next_up((1.5 * d + nearest.error_bound + safe.displacement) * (1 + 0x1p-50));
+    safe.displacement = safe.error_bound;
+    safe.vertices_repaired += nearest.vertices_repaired;
+    safe.parts_dropped = nearest.parts_dropped;
+    for (const RegionPart& part : nearest.parts) {
+      if (!part.is_ring()) {
+        continue;
+      }
+      const auto begin = is_left.begin() + static_cast<std::ptrdiff_t>(part.first);
+      if (std::find(begin, begin + static_cast<std::ptrdiff_t>(part.size), true) ==
+          begin + static_cast<std::ptrdiff_t>(part.size)) {
+        ++safe.parts_dropped;
+      }
+    }
+    return safe;
+  }
+
+  static void add(const RoundedRegion& rounded, const RegionPart& part, Index number,
+                  RoundedRegion& safe) {
+    safe.parts.push_back({part.kind, number + part.polygon, safe.vertices.size(), part.size});
+    const auto begin = rounded.vertices.begin() + static_cast<std::ptrdiff_t>(part.first);
+    safe.vertices.insert(safe.vertices.end(), begin,
+                         begin + static_cast<std::ptrdiff_t>(part.size));
+  }
+
+  const RegionWithSquare& with_square_;
+  Task& task_;
+  Tally& tally_;
+};
+
+// Puts a ring in the place of the first one.
+void replace_first_ring(const PointVector& ring, const std::vector<std::size_t>& indices,
+                        RoundedRegion& region) {
+  const auto size = static_cast<std::ptrdiff_t>(region.parts.front().size);
+  region.vertices.erase(region.vertices.begin(), region.vertices.begin() + size);
+  region.vertices.insert(region.vertices.begin(), ring.begin(), ring.end());
+  region.exact_indices.erase(region.exact_indices.begin(), region.exact_indices.begin() + size);
+  region.exact_indices.insert(region.exact_indices.begin(), indices.begin(), indices.end());
+  region.parts.front().size = ring.size();
+  for (std::size_t k = 1; k < region.parts.size(); ++k) {
+    region.parts[k].first = region.parts[k - 1].end();
+  }
+}
+
+// Segments and points whose vertices are doubles.
+void add_exact_fits(const ExactRegion& exact, Tally& tally, RoundedRegion& region) {
+  for (const RegionPart& part : exact.parts) {
+    if (part.is_ring()) {
+      continue;
+    }
+    std::vector<Point> vertices;
+    for (std::size_t k = part.first; k < part.end(); ++k) {
+      const RoundedVertex v =
+          rounded_vertex(*exact.a.ring, *exact.b.ring, exact.vertices[k], exact.shift, tally);
+      if (v.x.exact && v.y.exact) {
+        vertices.push_back({v.x.value, v.y.value});
+      }
+    }
+    if (vertices.size() < part.size) {
+      ++region.parts_dropped;
+      continue;
+    }
+    region.parts.push_back({part.kind, part.polygon, region.vertices.size(), part.size});
+    for (std::size_t k = 0; k < part.size; ++k) {
+      region.vertices.push_back(vertices[k]);
+      region.exact_indices.push_back(part.first + k);
+    }
+  }
+}
+
+}  // namespace
+
+RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf& outer_face_of,
+                                   const RegionWithSquare& sum_with, Task& task, Tally& tally) {
+  RoundedRegion nearest = round_to_nearest(region, true, task, tally);
+  if (nearest.displacement == 0) {
+    return nearest;
+  }
+  RoundedRegion safe = SafeRounder(sum_with, task, tally).run(nearest);
+  const std::size_t size = region.parts.front().size;
+  ExactRing outer{region.a, region.b, region.shift, {}, region.chains_are_repeated, false};
+  outer.vertices.assign(region.vertices.begin(),
+                        region.vertices.begin() + static_cast<std::ptrdiff_t>(size));
+  const RoundedRing ring = round_outward(outer, outer_face_of, task, tally);
+  const Placement placement = place_nearest(outer, task, tally);
+  replace_first_ring(ring.vertices, closest_edges(placement.places, ring.vertices), safe);
+  safe.error_bound = std::max(safe.error_bound, ring.error_bound);
+  add_exact_fits(region, tally, safe);
+  return safe;
+}
+
+RoundedRegion round_region_inward(const ExactRegion& region, const RegionWithSquare& fits_of,
+                                  Task& task, Tally& tally) {
+  RoundedRegion nearest = round_to_nearest(region, false, task, tally);
+  if (nearest.displacement == 0 && nearest.parts_dropped == 0) {
+    return nearest;
+  }
+  if (std::any_of(region.parts.begin(), region.parts.end(),
+                  [](const RegionPart& part) { return part.kind == PartKind::hole; }) &&
+      nearest.parts_dropped > 0) {
+    throw Error(Status::range, "an obstacle inside the region is too small for doubles");
+  }
+  RoundedRegion safe = SafeRounder(fits_of, task, tally).run(nearest);
+  add_exact_fits(region, tally, safe);
+  return safe;
+}
+
+}  // namespace gcv
