@@ -220,8 +220,8 @@ const ChainIndex& Boundary::index() const {
   });
 }
 
-const std::vector<ChordBlock>& Boundary::chords() const {
-  return chords_.get([this] { return build_chords(index().tree, relative_chain(), layout); });
+const ChordTree& Boundary::chord_tree() const {
+  return chord_tree_.get([this] { return build_chord_tree(relative_chain(), layout); });
 }
 
 const Touches& Boundary::touches() const {

@@ -13,7 +13,7 @@
 #include "box.hpp"
 #include "buffer.hpp"
 #include "chain_tree.hpp"
-#include "chords.hpp"
+#include "chord_tree.hpp"
 #include "lazy.hpp"
 #include "line_directions.hpp"
 #include "point.hpp"
@@ -86,8 +86,8 @@ struct Boundary {
   [[nodiscard]] const LineDirections& line_directions() const;
   // Over relative vertices. Sums with few superset edges do not use it.
   [[nodiscard]] const ChainIndex& index() const;
-  // For the blocks of the index.
-  [[nodiscard]] const std::vector<ChordBlock>& chords() const;
+  // Likewise.
+  [[nodiscard]] const ChordTree& chord_tree() const;
   // Where its rings touch.
   [[nodiscard]] const Touches& touches() const;
 
@@ -101,7 +101,7 @@ struct Boundary {
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
-  Lazy<std::vector<ChordBlock>> chords_;
+  Lazy<ChordTree> chord_tree_;
   Lazy<Touches> touches_;
 
   [[nodiscard]] EdgeChain relative_chain() const;

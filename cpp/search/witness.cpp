@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "box.hpp"
+#include "tree_product.hpp"
 
 namespace gcv {
 
@@ -23,27 +24,48 @@ constexpr double least_progress = 0x1p-20;
 // computed inequalities hold, w is at most 1.1 (|u| + |v|) long. So w x v and u x w are off by less
 // than 21 (|u| + |v|), the roundings of their own products included; the product of the radius and
 // the length by 30 (|v|), for chords are off by 24. The slack is 64.
-Witness::Witness(const ChordNode& p, const ChordNode& q, double slack)
+Witness::Witness(const Chord& p, const Chord& q, double slack)
     : corner_{p.from.x + q.from.x, p.from.y + q.from.y},
       u_{p.to.x - p.from.x, p.to.y - p.from.y},
-      v_{q.to.x - q.from.x, q.to.y - q.from.y} {
+      v_{q.to.x - q.from.x, q.to.y - q.from.y},
+      length_u_(p.length),
+      length_v_(q.length) {
   double radius_u = p.radius;
   double radius_v = q.radius;
-  double length_u = p.length;
-  double length_v = q.length;
   double cross = u_.x * v_.y - u_.y * v_.x;
   if (cross < 0) {
     std::swap(u_, v_);
     std::swap(radius_u, radius_v);
-    std::swap(length_u, length_v);
+    std::swap(length_u_, length_v_);
     cross = -cross;
   }
   const double tolerance =
       (size_of(u_) + size_of(v_)) * slack + std::numeric_limits<double>::min();
-  least_u_ = radius_v * length_v + tolerance;
-  least_v_ = radius_u * length_u + tolerance;
+  least_u_ = radius_v * length_v_ + tolerance;
+  least_v_ = radius_u * length_u_ + tolerance;
   most_u_ = cross - least_u_;
   most_v_ = cross - least_v_;
+}
+
+// The sum of the chains is within both radii of the parallelogram of the chords. A corner of it is a
+// sum of two vertices, which counts as a point.
+bool Witness::holds(const Chord& p, const Chord& q) const {
+  const double radius = p.radius + q.radius;
+  const double room_u = radius * length_v_;
+  const double room_v = radius * length_u_;
+  for (const Point& from : {p.from, p.to}) {
+    for (const Point& to : {q.from, q.to}) {
+      const double wx = from.x + to.x - corner_.x;
+      const double wy = from.y + to.y - corner_.y;
+      const double along_u = wx * v_.y - wy * v_.x;
+      const double along_v = u_.x * wy - u_.y * wx;
+      if (!(along_u > least_u_ + room_u && along_u < most_u_ - room_u &&
+            along_v > least_v_ + room_v && along_v < most_v_ - room_v)) {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 double Witness::reach(const RelativeLine& line, double t) const {
@@ -72,10 +94,9 @@ double Witness::reach(const RelativeLine& line, double t) const {
 
 WitnessSearch::WitnessSearch(const Operands& operands)
     : operands_(operands),
-      trees_{&operands.a.index().tree, &operands.b.index().tree},
-      chords_{&operands.a.chords(), &operands.b.chords()},
+      a_(operands.a.chord_tree()),
+      b_(operands.b.chord_tree()),
       slack_(slack_of(operands)),
-      roots_{root(operands.a), root(operands.b)},
       bounds_(operands.relative_bounds()) {
   const double extents = 0x1p48 * slack_;
   if (!(extents * extents <= std::numeric_limits<double>::max())) {
@@ -88,50 +109,36 @@ WitnessSearch::WitnessSearch(const Operands& operands)
   cells_.resize(std::size_t{side_} * side_);
 }
 
-ChordNode WitnessSearch::root(const Boundary& polygon) {
-  const Box& box = polygon.index().tree.box;
-  return {{0, 0}, box, {box.x0, box.y0}, {box.x0, box.y0},
-          std::numeric_limits<double>::infinity(), 0};
-}
-
 WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
-  const auto extent = [](const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); };
-  const bool a_is_edge = trees_[0]->is_edge(nodes.a.place);
-  const bool b_is_edge = trees_[1]->is_edge(nodes.b.place);
-  const bool of_a = b_is_edge || (!a_is_edge && extent(nodes.a.box) >= extent(nodes.b.box));
-  const ChainTree& tree = *trees_[of_a ? 0 : 1];
-  const ChordNode& parent = of_a ? nodes.a : nodes.b;
-  const std::uint32_t number = tree.block_below(parent.place);
-  return {tree, tree.blocks[number], (*chords_[of_a ? 0 : 1])[number], parent,
-          of_a ? nodes.b : nodes.a, of_a};
-}
-
-WitnessSearch::Nodes WitnessSearch::Family::nodes(std::uint32_t lane) const {
-  const ChordNode child{ChainTree::child(parent.place, lane), boxes.box(lane),
-                        {chords.x0[lane], chords.y0[lane]}, {chords.x1[lane], chords.y1[lane]},
-                        chords.radius[lane], chords.length[lane]};
-  return is_of_a ? Nodes{child, other} : Nodes{other, child};
+  const bool of_a = a_.extent(nodes.a) >= b_.extent(nodes.b);
+  const std::uint32_t number = of_a ? a_.below(nodes.a) : b_.below(nodes.b);
+  return of_a ? Family{a_.blocks[number], number, b_.block_of(nodes.b), nodes.b, true}
+              : Family{b_.blocks[number], number, a_.block_of(nodes.a), nodes.a, false};
 }
 
 // The sum of two chains is within both radii of the parallelogram of the chords. Error bounds as for
 // a witness. A point in the sum of the boxes is at most |u| + |v| + 4 radii from the corner.
 WitnessSearch::Lanes WitnessSearch::lanes_at(const Family& family, const Point& x,
                                              double distance) const {
-  const ChordNode& other = family.other;
-  const ChordBlock& chords = family.chords;
-  const DoubleMask apart = family.boxes.apart({x.x - distance - slack_ - other.box.x1,
-                                               x.y - distance - slack_ - other.box.y1,
-                                               x.x + distance + slack_ - other.box.x0,
-                                               x.y + distance + slack_ - other.box.y0});
-  const Point v{other.to.x - other.from.x, other.to.y - other.from.y};
+  const ChordTree::Block& chords = family.children;
+  const std::uint32_t lane = ChordTree::lane_of(family.other);
+  const ChordTree::Block& of_other = family.of_other;
+  const Box other = family.box_of_other();
+  const double more = distance + slack_;
+  const DoubleMask apart = chords.boxes.apart({x.x - more - other.x1, x.y - more - other.y1,
+                                               x.x + more - other.x0, x.y + more - other.y0});
+  const Point from{of_other.x0[lane], of_other.y0[lane]};
+  const Point v{of_other.x1[lane] - from.x, of_other.y1[lane] - from.y};
+  const double other_radius = of_other.radius[lane];
+  const double other_length = of_other.length[lane];
   const SimdDouble x0 = SimdDouble::load(chords.x0);
   const SimdDouble y0 = SimdDouble::load(chords.y0);
   const SimdDouble ux = SimdDouble::load(chords.x1) - x0;
   const SimdDouble uy = SimdDouble::load(chords.y1) - y0;
   const SimdDouble length = SimdDouble::load(chords.length);
   const SimdDouble radius = SimdDouble::load(chords.radius);
-  const SimdDouble wx = (x.x - other.from.x) - x0;
-  const SimdDouble wy = (x.y - other.from.y) - y0;
+  const SimdDouble wx = (x.x - from.x) - x0;
+  const SimdDouble wy = (x.y - from.y) - y0;
   const SimdDouble along_u = v.y * wx - v.x * wy;
   const SimdDouble along_v = ux * wy - uy * wx;
   const SimdDouble cross = v.y * ux - v.x * uy;
@@ -139,13 +146,13 @@ WitnessSearch::Lanes WitnessSearch::lanes_at(const Family& family, const Point& 
   const SimdDouble highest = larger(cross, SimdDouble::of(0));
   const SimdDouble size = magnitude(ux) + magnitude(uy) + (std::abs(v.x) + std::abs(v.y));
   const SimdDouble tolerance = slack_ * size + std::numeric_limits<double>::min();
-  const SimdDouble least_u = tolerance + other.radius * other.length;
+  const SimdDouble least_u = tolerance + other_radius * other_length;
   const SimdDouble least_v = radius * length + tolerance;
   const DoubleMask uncovered = (along_u < lowest + least_u) | (along_u > highest - least_u) |
                                (along_v < lowest + least_v) | (along_v > highest - least_v);
-  const SimdDouble radii = radius + (other.radius + distance);
+  const SimdDouble radii = radius + (other_radius + distance);
   const SimdDouble room = slack_ * (size + 4 * radii) + std::numeric_limits<double>::min();
-  const SimdDouble room_u = other.length * radii + room;
+  const SimdDouble room_u = other_length * radii + room;
   const SimdDouble room_v = length * radii + room;
   const DoubleMask beside = (along_u < lowest - room_u) | (along_u > highest + room_u) |
                             (along_v < lowest - room_v) | (along_v > highest + room_v);
@@ -183,21 +190,19 @@ double WitnessSearch::searched_reach(Cell& cell, const RelativeLine& line, doubl
   const Point x = line.at(t);
   queue_.clear();
   pairs_.clear();
-  queue_.push_back(roots_);
+  queue_.push_back(roots);
   for (std::size_t k = 0; k < queue_.size(); ++k) {
-    const Nodes parents = queue_[k];
-    const Family children = family(parents);
+    const Family children = family(queue_[k]);
     const Lanes lanes = lanes_at(children, x, 0);
     double end = t;
     for_each_lane(lanes.covering, [&](std::uint32_t lane) {
-      const Nodes nodes = children.nodes(lane);
-      const Witness witness(nodes.a, nodes.b, slack_);
-      if (end < least && witness.holds(x)) {
-        const double reach = witness.reach(line, t);
+      const Witness found = witness(children.nodes(lane));
+      if (end < least && found.holds(x)) {
+        const double reach = found.reach(line, t);
         if (reach >= least) {
           end = reach;
-          last_ = witness;
-          cell.witnesses[cell.next] = witness;
+          last_ = found;
+          cell.witnesses[cell.next] = found;
           cell.next = (cell.next + 1) % Cell::capacity;
         }
       }
@@ -211,16 +216,14 @@ double WitnessSearch::searched_reach(Cell& cell, const RelativeLine& line, doubl
 }
 
 void WitnessSearch::add_children(const Family& children, unsigned lanes) {
+  const bool other_is_edge = children.of_other.extent[ChordTree::lane_of(children.other)] < 0;
   for_each_lane(lanes, [&](std::uint32_t lane) {
     const Nodes nodes = children.nodes(lane);
-    if (nodes.a.box.x0 > nodes.a.box.x1 || nodes.b.box.x0 > nodes.b.box.x1) {
-      return;  // missing, seen where numbers have overflowed
-    }
-    if (are_edges(nodes)) {
-      pairs_.push_back({nodes.a.place.index, nodes.b.place.index});
-    } else {
+    if (!(other_is_edge && children.children.extent[lane] < 0)) {
       queue_.push_back(nodes);
-    }
+    } else if (!(children.children.boxes.x0[lane] > children.children.boxes.x1[lane])) {
+      pairs_.push_back({a_.below(nodes.a), b_.below(nodes.b)});
+    }  // or else missing, seen where numbers have overflowed
   });
 }
 
@@ -244,13 +247,10 @@ void WitnessSearch::find_pairs(const Point& x, double distance) {
 
 void WitnessSearch::find_pairs(const Box& box) {
   const Box wide = widened(box, slack_);
-  find_pairs_by([&](const Family& children) {
-    const Box& other = children.other.box;
-    return ~children.boxes
-                .apart({wide.x0 - other.x1, wide.y0 - other.y1, wide.x1 - other.x0,
-                        wide.y1 - other.y0})
-                .bits() &
-           SimdDouble::all;
+  find_pairs_by([&](const Family& family) {
+    const Box other = family.box_of_other();
+    return family.children.boxes.overlapping(
+        {wide.x0 - other.x1, wide.y0 - other.y1, wide.x1 - other.x0, wide.y1 - other.y0});
   });
 }
 
@@ -258,13 +258,67 @@ template <class NearLanes>
 void WitnessSearch::find_pairs_by(NearLanes near_lanes) {
   queue_.clear();
   pairs_.clear();
-  queue_.push_back(roots_);
+  queue_.push_back(roots);
   while (!queue_.empty()) {
     const Nodes parents = queue_.back();
     queue_.pop_back();
     const Family children = family(parents);
     add_children(children, near_lanes(children));
   }
+}
+
+bool WitnessSearch::is_covered(const Nodes& nodes) {
+  const Chord p = Chord::of(a_, nodes.a);
+  const Chord q = Chord::of(b_, nodes.b);
+  if (!(p.radius + q.radius < std::numeric_limits<double>::infinity())) {
+    return false;
+  }
+  if (last_ && last_->holds(p, q)) {
+    return true;
+  }
+  const Point middle{(p.from.x + p.to.x + q.from.x + q.to.x) / 2,
+                     (p.from.y + p.to.y + q.from.y + q.to.y) / 2};
+  const Cell& cell = cell_of(middle);
+  return std::any_of(
+      std::begin(cell.witnesses), std::end(cell.witnesses),
+      [&](const std::optional<Witness>& witness) { return witness && witness->holds(p, q); });
+}
+
+// Sector numbers grow with ranks, so a rank in the range lies in one of them.
+WitnessSearch::Sectors WitnessSearch::sectors(Rank first, Rank last) const {
+  constexpr std::uint64_t most = 64;
+  const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
+  const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
+  const Sectors from_first = ~Sectors{0} << sector(first);
+  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
+  return first <= last ? from_first & to_last : from_first | to_last;
+}
+
+std::vector<WitnessSearch::NodeSectors> WitnessSearch::node_sectors(const ChordTree& tree,
+                                                                    const Boundary& polygon,
+                                                                    const Ranks& ranks) const {
+  std::vector<NodeSectors> result(tree.blocks.size() * ChordTree::width);
+  for (std::size_t k = result.size(); k-- > 0;) {
+    const auto node = static_cast<ChordTree::Node>(k);
+    const Box box = tree.block_of(node).boxes.box(ChordTree::lane_of(node));
+    if (box.x0 > box.x1) {
+      continue;  // missing
+    }
+    const std::uint32_t below = tree.below(node);
+    if (tree.is_edge(node)) {
+      result[node] = {sectors(ranks[below], ranks[below]),
+                      polygon.corners[below].convex
+                          ? sectors(ranks[polygon.previous(below)], ranks[below])
+                          : 0};
+      continue;
+    }
+    for (std::uint32_t lane = 0; lane < ChordTree::width; ++lane) {
+      const NodeSectors& child = result[ChordTree::node(below, lane)];
+      result[node].edges |= child.edges;
+      result[node].cones |= child.cones;
+    }
+  }
+  return result;
 }
 
 }  // namespace gcv

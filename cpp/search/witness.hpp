@@ -11,6 +11,9 @@
 //    passing x. So it winds round x, and P crosses x - Q, also after a small move of B. If the
 //    interiors were apart, B could be moved so that P and x - Q do not meet.
 //
+// Where rings touch in points of both polygons, the sum of two such points is no part of this. It may
+// be free by itself (sum/cover.hpp).
+//
 // Fact 1 is decided exactly where it has to be (sum/contacts.hpp). Here both are decided in doubles,
 // with a bound for all roundings: what is called covered is covered.
 #pragma once
@@ -20,8 +23,8 @@
 #include <optional>
 #include <vector>
 
+#include "chord_tree.hpp"
 #include "contributing_vertices.hpp"
-#include "tree_product.hpp"
 
 namespace gcv {
 
@@ -35,20 +38,27 @@ struct RelativeLine {
   [[nodiscard]] Point at(double t) const { return {origin.x + t * dx, origin.y + t * dy}; }
 };
 
-// A chain of a polygon: a node of its tree with its chord.
-struct ChordNode {
-  ChainTree::Node place;
-  Box box;
+// A chain of a polygon by its chord.
+struct Chord {
   Point from;
   Point to;
   double radius;
-  double length;  // of the chord
+  double length;
+
+  static Chord of(const ChordTree& tree, ChordTree::Node node) {
+    const ChordTree::Block& block = tree.block_of(node);
+    const std::uint32_t lane = ChordTree::lane_of(node);
+    return {{block.x0[lane], block.y0[lane]},
+            {block.x1[lane], block.y1[lane]},
+            block.radius[lane],
+            block.length[lane]};
+  }
 };
 
 // The part of the sum of two chords where the chains cover everything.
 class Witness {
  public:
-  Witness(const ChordNode& p, const ChordNode& q, double slack);
+  Witness(const Chord& p, const Chord& q, double slack);
 
   // Does the open sum hold the point? A point that is off by as much as RelativeLine::at says
   // counts as the exact one.
@@ -59,6 +69,9 @@ class Witness {
     const double along_v = u_.x * wy - u_.y * wx;
     return along_u > least_u_ && along_u < most_u_ && along_v > least_v_ && along_v < most_v_;
   }
+
+  // Does it hold the sum of these two chains?
+  [[nodiscard]] bool holds(const Chord& p, const Chord& q) const;
 
   // How far the open sum holds the line from t on, which it holds: a parameter up to 1. That itself
   // is held. At least t.
@@ -72,6 +85,8 @@ class Witness {
   double most_u_;
   double least_v_;  // of u x w
   double most_v_;
+  double length_u_;
+  double length_v_;
 };
 
 // Searches both polygons' trees for witnesses, and for the pairs of edges near a place.
@@ -96,24 +111,36 @@ class WitnessSearch {
   // The same for the points of a box.
   void find_pairs(const Box& box);
 
+  // Calls visit(edge) for the superset edges, before merging, whose direction is in the half-plane
+  // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
+  // those that lie in witnesses that were found until then.
+  template <class Visit>
+  void for_each_uncovered_edge(Rank first, Visit visit);
+
   [[nodiscard]] double slack() const { return slack_; }
 
  private:
   struct Nodes {
-    ChordNode a;
-    ChordNode b;
+    ChordTree::Node a;
+    ChordTree::Node b;
   };
-  [[nodiscard]] static ChordNode root(const Boundary& polygon);
+  static constexpr Nodes roots{ChordTree::root, ChordTree::root};
+
   // The children of the larger node, beside the other one.
   struct Family {
-    const ChainTree& tree;
-    const ChainTree::Block& boxes;
-    const ChordBlock& chords;
-    const ChordNode& parent;
-    const ChordNode& other;
+    const ChordTree::Block& children;
+    std::uint32_t number;  // of the block
+    const ChordTree::Block& of_other;
+    ChordTree::Node other;
     bool is_of_a;
 
-    [[nodiscard]] Nodes nodes(std::uint32_t lane) const;
+    [[nodiscard]] Nodes nodes(std::uint32_t lane) const {
+      const ChordTree::Node child = ChordTree::node(number, lane);
+      return is_of_a ? Nodes{child, other} : Nodes{other, child};
+    }
+    [[nodiscard]] Box box_of_other() const {
+      return of_other.boxes.box(ChordTree::lane_of(other));
+    }
   };
   [[nodiscard]] Family family(const Nodes& nodes) const;
   // The lanes whose sums with the other node may hold a point, and those that cover it.
@@ -126,7 +153,10 @@ class WitnessSearch {
   template <class NearLanes>
   void find_pairs_by(NearLanes near_lanes);
   [[nodiscard]] bool are_edges(const Nodes& nodes) const {
-    return trees_[0]->is_edge(nodes.a.place) && trees_[1]->is_edge(nodes.b.place);
+    return a_.is_edge(nodes.a) && b_.is_edge(nodes.b);
+  }
+  [[nodiscard]] Witness witness(const Nodes& nodes) const {
+    return {Chord::of(a_, nodes.a), Chord::of(b_, nodes.b), slack_};
   }
 
   // Witnesses that were found, by the cell of a grid over the sum in which they were used.
@@ -139,12 +169,25 @@ class WitnessSearch {
   // How far a remembered witness of the cell reaches from t; t if none reaches `least`.
   double remembered_reach(const Cell& cell, const RelativeLine& line, double t, double least);
   double searched_reach(Cell& cell, const RelativeLine& line, double t, double least);
+  // Does a remembered witness hold the sum of the nodes?
+  [[nodiscard]] bool is_covered(const Nodes& nodes);
+
+  // The directions of edges and cones below a node, as sets of up to 64 sectors of ranks.
+  using Sectors = std::uint64_t;
+  struct NodeSectors {
+    Sectors edges = 0;
+    Sectors cones = 0;
+  };
+  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
+  // Of the nodes of a tree.
+  [[nodiscard]] std::vector<NodeSectors> node_sectors(const ChordTree& tree,
+                                                      const Boundary& polygon,
+                                                      const Ranks& ranks) const;
 
   const Operands& operands_;
-  const ChainTree* trees_[2];
-  const std::vector<ChordBlock>* chords_[2];
+  const ChordTree& a_;
+  const ChordTree& b_;
   double slack_;
-  Nodes roots_;
   std::vector<Nodes> queue_;
   std::vector<Pair> pairs_;
   std::optional<Witness> last_;
@@ -154,5 +197,45 @@ class WitnessSearch {
   std::uint32_t side_;  // the grid has side x side cells
   std::vector<Cell> cells_;
 };
+
+template <class Visit>
+void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit) {
+  const Directions& directions = operands_.directions;
+  const Rank half = directions.half_turn;
+  const Sectors wanted = sectors(first, (first + half - 1) % (2 * half));
+  const std::vector<NodeSectors> sectors_a = node_sectors(a_, operands_.a, directions.rank_a);
+  const std::vector<NodeSectors> sectors_b = node_sectors(b_, operands_.b, directions.rank_b);
+  const auto visit_edge = [&](const PairEdge& edge, bool contributes) {
+    if (contributes && directions.angle(first, edge.rank) < half) {
+      visit(edge);
+    }
+  };
+  std::vector<Nodes> stack{roots};
+  while (!stack.empty()) {
+    const Nodes nodes = stack.back();
+    stack.pop_back();
+    if (is_covered(nodes)) {
+      continue;
+    }
+    if (are_edges(nodes)) {
+      const Index i = a_.below(nodes.a);
+      const Index j = b_.below(nodes.b);
+      const PairEdge translated = operands_.translated(i, j);
+      const PairEdge corner = operands_.corner(i, j);
+      visit_edge(translated, operands_.b_contributes(j, translated.rank));
+      visit_edge(corner, operands_.a_contributes(i, corner.rank));
+      continue;
+    }
+    const Family children = family(nodes);
+    for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {
+      const Nodes child = children.nodes(lane);
+      const NodeSectors& a = sectors_a[child.a];
+      const NodeSectors& b = sectors_b[child.b];
+      if ((((a.edges & b.cones) | (a.cones & b.edges)) & wanted) != 0) {
+        stack.push_back(child);
+      }
+    }
+  }
+}
 
 }  // namespace gcv

@@ -242,8 +242,8 @@ EdgeCover::Containment EdgeCover::containment_at(const PlacesOnLine& places,
   const Boundary& b = operands_.b;
   const auto [near, distance] = neighbourhood(line, place);
   const Box around = widened(box_of(near, near), distance + search_.slack());
-  const Box& box_a = a.index().tree.box;
-  const Box& box_b = b.index().tree.box;
+  const Box box_a = a.chord_tree().blocks.front().boxes.box(0);
+  const Box box_b = b.chord_tree().blocks.front().boxes.box(0);
   const auto add = [&](const PointInRings& rings, bool inside) {
     if (rings.holds_germ() == inside) {
       result.of_germ = true;

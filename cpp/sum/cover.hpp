@@ -132,6 +132,16 @@ class EdgeCover {
     }
   }
 
+  // The same for all superset edges of the half-plane of directions that begins with that rank. Calls
+  // advance() after each.
+  template <class Visitor, class Advance>
+  void walk_half_plane(Rank first, Visitor& visitor, Advance advance) {
+    search_.for_each_uncovered_edge(first, [&](const PairEdge& s) {
+      walk(s, visitor);
+      advance();
+    });
+  }
+
   // The same for the sums of points in which rings of A touch with such points of B. These can be
   // isolated points of F that lie on no superset edge.
   template <class Visitor>

@@ -106,8 +106,7 @@ void add_fits(const Operands& operands, Fits& fits, ExactRegion& region) {
 void walk_half_plane(const Operands& operands, EdgeCover& cover, Finder& finder, Task& task,
                      Counts& counts) {
   std::uint64_t edges = 0;
-  for_each_edge_of_half_plane(operands, cheapest_half_plane(operands), [&](const PairEdge& s) {
-    cover.walk(s, finder);
+  cover.walk_half_plane(cheapest_half_plane(operands), finder, [&] {
     if (++edges % Task::portion == 0) {
       task.advance(Task::portion);
     }
