@@ -82,6 +82,7 @@ struct SimdDouble {
   }
   friend SimdDouble operator+(const SimdDouble& p, double x) { return {p.low + x, p.high + x}; }
   friend SimdDouble operator-(double x, const SimdDouble& p) { return {x - p.low, x - p.high}; }
+  friend SimdDouble operator/(double x, const SimdDouble& p) { return {x / p.low, x / p.high}; }
   friend SimdDouble operator*(const SimdDouble& p, const SimdDouble& q) {
     return {p.low * q.low, p.high * q.high};
   }
@@ -103,6 +104,11 @@ struct SimdDouble {
     return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
   }
 };
+
+// p where the mask is set, else q.
+inline SimdDouble select(const DoubleMask& mask, const SimdDouble& p, const SimdDouble& q) {
+  return {mask.low ? p.low : q.low, mask.high ? p.high : q.high};
+}
 
 // Calls visit(lane) for every bit that is set, from the lowest to the highest.
 template <class Visit>

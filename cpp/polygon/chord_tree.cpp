@@ -102,7 +102,9 @@ class Builder {
       in.length[lane] = is_chain ? length_bound(points.back().x - points.front().x,
                                                 points.back().y - points.front().y)
                                  : 0;
-      in.extent[lane] = range.size() == 1 ? -1 : (box.x1 - box.x0) + (box.y1 - box.y0);
+      const double extent = (box.x1 - box.x0) + (box.y1 - box.y0);
+      in.extent[lane] = range.size() == 1 ? -1 : extent >= 0 ? extent : infinity;
+      in.lanes |= 1U << lane;
       in.below[lane] = range.first;
     }
     if (range.size() > 1) {

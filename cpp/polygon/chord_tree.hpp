@@ -35,9 +35,10 @@ struct ChordTree {
     double x1[width];
     double y1[width];
     double radius[width];
-    double length[width];         // of the chord
-    double extent[width];         // of the box: width and height; -1 for an edge
-    std::uint32_t below[width];   // the block of the children; for an edge its number
+    double length[width];        // of the chord
+    double extent[width];        // of the box: width and height; -1 for an edge
+    std::uint32_t below[width];  // the block of the children; for an edge its number
+    unsigned lanes;              // those that have a node, as bits
   };
 
   std::vector<Block> blocks;  // each before those of its children

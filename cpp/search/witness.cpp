@@ -116,49 +116,85 @@ WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
               : Family{b_.blocks[number], number, a_.block_of(nodes.a), nodes.a, false};
 }
 
-// The sum of two chains is within both radii of the parallelogram of the chords. Error bounds as for
-// a witness. A point in the sum of the boxes is at most |u| + |v| + 4 radii from the corner.
-WitnessSearch::Lanes WitnessSearch::lanes_at(const Family& family, const Point& x,
-                                             double distance) const {
+// A point x of the line has the parameter t. Its coordinates in the parallelogram u + v, w x v and
+// u x w, are linear in t. So are its own. That gives a range of parameters for each of the bounds. A
+// bound is crossed at a parameter that is computed with three roundings. For parameters up to 2 they
+// are worth less than 16 uE (|u| + |v|) in the bound. With what a witness allows for the others, twice
+// the slack is enough. Comparisons with what is not a number are false. So such a range is near, and
+// covers nothing.
+WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
   const ChordTree::Block& chords = family.children;
   const std::uint32_t lane = ChordTree::lane_of(family.other);
   const ChordTree::Block& of_other = family.of_other;
-  const Box other = family.box_of_other();
-  const double more = distance + slack_;
-  const DoubleMask apart = chords.boxes.apart({x.x - more - other.x1, x.y - more - other.y1,
-                                               x.x + more - other.x0, x.y + more - other.y0});
+  const Box other = of_other.boxes.box(lane);
+  const double dx = line_.dx;
+  const double dy = line_.dy;
   const Point from{of_other.x0[lane], of_other.y0[lane]};
   const Point v{of_other.x1[lane] - from.x, of_other.y1[lane] - from.y};
   const double other_radius = of_other.radius[lane];
   const double other_length = of_other.length[lane];
+  const double slack = 2 * slack_;
+  constexpr double smallest = std::numeric_limits<double>::min();
+
   const SimdDouble x0 = SimdDouble::load(chords.x0);
   const SimdDouble y0 = SimdDouble::load(chords.y0);
   const SimdDouble ux = SimdDouble::load(chords.x1) - x0;
   const SimdDouble uy = SimdDouble::load(chords.y1) - y0;
   const SimdDouble length = SimdDouble::load(chords.length);
   const SimdDouble radius = SimdDouble::load(chords.radius);
-  const SimdDouble wx = (x.x - from.x) - x0;
-  const SimdDouble wy = (x.y - from.y) - y0;
+  const SimdDouble wx = (line_.origin.x - from.x) - x0;
+  const SimdDouble wy = (line_.origin.y - from.y) - y0;
   const SimdDouble along_u = v.y * wx - v.x * wy;
   const SimdDouble along_v = ux * wy - uy * wx;
+  const SimdDouble inverse_u = SimdDouble::of(1 / (dx * v.y - dy * v.x));
+  const SimdDouble inverse_v = 1 / (dy * ux - dx * uy);
   const SimdDouble cross = v.y * ux - v.x * uy;
   const SimdDouble lowest = smaller(cross, SimdDouble::of(0));
   const SimdDouble highest = larger(cross, SimdDouble::of(0));
   const SimdDouble size = magnitude(ux) + magnitude(uy) + (std::abs(v.x) + std::abs(v.y));
-  const SimdDouble tolerance = slack_ * size + std::numeric_limits<double>::min();
-  const SimdDouble least_u = tolerance + other_radius * other_length;
-  const SimdDouble least_v = radius * length + tolerance;
-  const DoubleMask uncovered = (along_u < lowest + least_u) | (along_u > highest - least_u) |
-                               (along_v < lowest + least_v) | (along_v > highest - least_v);
-  const SimdDouble radii = radius + (other_radius + distance);
-  const SimdDouble room = slack_ * (size + 4 * radii) + std::numeric_limits<double>::min();
+  const SimdDouble radii = radius + other_radius;
+  const SimdDouble tolerance = slack * size + smallest;
+  const SimdDouble room = slack * (size + 4 * radii) + smallest;
   const SimdDouble room_u = other_length * radii + room;
   const SimdDouble room_v = length * radii + room;
-  const DoubleMask beside = (along_u < lowest - room_u) | (along_u > highest + room_u) |
-                            (along_v < lowest - room_v) | (along_v > highest + room_v);
-  const unsigned near = ~(apart | beside).bits() & SimdDouble::all;
-  // Comparisons with what is not a number are false: the witness itself is asked once more.
-  return {near, near & ~uncovered.bits()};
+  const SimdDouble least_u = tolerance + other_radius * other_length;
+  const SimdDouble least_v = radius * length + tolerance;
+
+  // Takes what lies between two parameters.
+  const auto cut = [](SimdDouble& first, SimdDouble& last, const SimdDouble& s,
+                      const SimdDouble& t) {
+    first = larger(smaller(s, t), first);
+    last = smaller(larger(s, t), last);
+  };
+  SimdDouble near_from = SimdDouble::of(-2);
+  SimdDouble near_to = SimdDouble::of(2);
+  cut(near_from, near_to, (lowest - room_u - along_u) * inverse_u,
+      (highest + room_u - along_u) * inverse_u);
+  cut(near_from, near_to, (lowest - room_v - along_v) * inverse_v,
+      (highest + room_v - along_v) * inverse_v);
+  const double inverse_x = 1 / dx;
+  const double inverse_y = 1 / dy;
+  cut(near_from, near_to,
+      inverse_x * (SimdDouble::load(chords.boxes.x0) + (other.x0 - slack - line_.origin.x)),
+      inverse_x * (SimdDouble::load(chords.boxes.x1) + (other.x1 + slack - line_.origin.x)));
+  cut(near_from, near_to,
+      inverse_y * (SimdDouble::load(chords.boxes.y0) + (other.y0 - slack - line_.origin.y)),
+      inverse_y * (SimdDouble::load(chords.boxes.y1) + (other.y1 + slack - line_.origin.y)));
+  SimdDouble covered_from = SimdDouble::of(-2);
+  SimdDouble covered_to = SimdDouble::of(2);
+  cut(covered_from, covered_to, (lowest + least_u - along_u) * inverse_u,
+      (highest - least_u - along_u) * inverse_u);
+  cut(covered_from, covered_to, (lowest + least_v - along_v) * inverse_v,
+      (highest - least_v - along_v) * inverse_v);
+  const SimdDouble nothing = SimdDouble::of(std::numeric_limits<double>::infinity());
+  Ranges result;
+  near_from.store(result.near_from);
+  near_to.store(result.near_to);
+  // Where bounds are not in order, nothing is covered.
+  select(lowest + least_u < highest - least_u, covered_from, nothing).store(result.covered_from);
+  select(lowest + least_v < highest - least_v, covered_to, SimdDouble::of(-2))
+      .store(result.covered_to);
+  return result;
 }
 
 WitnessSearch::Cell& WitnessSearch::cell_of(const Point& x) {
@@ -170,13 +206,25 @@ WitnessSearch::Cell& WitnessSearch::cell_of(const Point& x) {
                 number(x.x - bounds_.x0, cells_a_unit_x_)];
 }
 
-double WitnessSearch::remembered_reach(const Cell& cell, const RelativeLine& line, double t,
-                                       double least) {
-  const Point x = line.at(t);
-  for (const std::optional<Witness>& witness : cell.witnesses) {
+void WitnessSearch::begin(const RelativeLine& line) {
+  line_ = line;
+  queue_.assign(1, Waiting{{-2, 2}, roots});
+  next_ = 0;
+  waiting_.clear();
+  covers_.clear();
+  near_pairs_.clear();
+}
+
+double WitnessSearch::remembered_reach(double t, double least) {
+  const Point x = line_.at(t);
+  if (last_ && last_->holds(x)) {
+    if (const double end = last_->reach(line_, t); end >= least) {
+      return end;
+    }
+  }
+  for (const std::optional<Witness>& witness : cell_of(x).witnesses) {
     if (witness && witness->holds(x)) {
-      const double end = witness->reach(line, t);
-      if (end >= least) {
+      if (const double end = witness->reach(line_, t); end >= least) {
         last_ = witness;
         return end;
       }
@@ -185,86 +233,113 @@ double WitnessSearch::remembered_reach(const Cell& cell, const RelativeLine& lin
   return t;
 }
 
-double WitnessSearch::searched_reach(Cell& cell, const RelativeLine& line, double t,
-                                     double least) {
-  const Point x = line.at(t);
-  queue_.clear();
-  pairs_.clear();
-  queue_.push_back(roots);
-  for (std::size_t k = 0; k < queue_.size(); ++k) {
-    const Family children = family(queue_[k]);
-    const Lanes lanes = lanes_at(children, x, 0);
-    double end = t;
-    for_each_lane(lanes.covering, [&](std::uint32_t lane) {
-      const Witness found = witness(children.nodes(lane));
-      if (end < least && found.holds(x)) {
-        const double reach = found.reach(line, t);
-        if (reach >= least) {
-          end = reach;
-          last_ = found;
-          cell.witnesses[cell.next] = found;
-          cell.next = (cell.next + 1) % Cell::capacity;
-        }
-      }
-    });
-    if (end > t) {
-      return end;
+namespace {
+
+// The first in front.
+constexpr auto comes_later = [](const auto& p, const auto& q) { return p.first() > q.first(); };
+
+}  // namespace
+
+double WitnessSearch::met_reach(double t, double least) {
+  double end = t;
+  while (!covers_.empty() && covers_.front().covered.from <= t) {
+    const Cover cover = covers_.front();
+    std::pop_heap(covers_.begin(), covers_.end(), comes_later);
+    covers_.pop_back();
+    if (cover.covered.to >= least && cover.covered.to > end) {
+      end = std::min(cover.covered.to, 1.0);
+      last_ = witness(cover.nodes);
+      Cell& cell = cell_of(line_.at(t));
+      cell.witnesses[cell.next] = last_;
+      cell.next = (cell.next + 1) % Cell::capacity;
     }
-    add_children(children, lanes.near);
+  }
+  return end;
+}
+
+void WitnessSearch::activate(double to) {
+  while (!waiting_.empty() && waiting_.front().near.from <= to) {
+    queue_.push_back(waiting_.front());
+    std::pop_heap(waiting_.begin(), waiting_.end(), comes_later);
+    waiting_.pop_back();
+  }
+}
+
+void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
+  const Family children = family(nodes);
+  const Ranges all = ranges(children);
+  const bool other_is_edge = children.of_other.extent[ChordTree::lane_of(children.other)] < 0;
+  for_each_lane(children.children.lanes, [&](std::uint32_t lane) {
+    const Range near{all.near_from[lane], all.near_to[lane]};
+    if (near.from > near.to || near.to < from || near.from > 1) {
+      return;
+    }
+    const Nodes child = children.nodes(lane);
+    const Range covered{all.covered_from[lane], all.covered_to[lane]};
+    if (covered.from < covered.to && covered.to > from && covered.from < 1) {
+      covers_.push_back({covered, child});
+      std::push_heap(covers_.begin(), covers_.end(), comes_later);
+    }
+    if (other_is_edge && children.children.extent[lane] < 0) {
+      near_pairs_.push_back({near, {a_.below(child.a), b_.below(child.b)}});
+    } else if (near.from > to) {
+      waiting_.push_back({near, child});
+      std::push_heap(waiting_.begin(), waiting_.end(), comes_later);
+    } else {
+      queue_.push_back({near, child});
+    }
+  });
+}
+
+double WitnessSearch::reach(double t) {
+  while (t < 1) {
+    const double least = std::min(1.0, t + least_progress);
+    double end = met_reach(t, least);
+    if (end == t) {
+      end = remembered_reach(t, least);
+    }
+    if (end > t) {
+      t = end;
+      continue;
+    }
+    activate(t);
+    while (next_ < queue_.size() && !(covers_.size() > 0 && covers_.front().covered.from <= t)) {
+      const Waiting waiting = queue_[next_++];
+      if (!(waiting.near.to < t)) {
+        expand(waiting.nodes, t, t);
+      }
+    }
+    if (next_ == queue_.size()) {
+      queue_.clear();
+      next_ = 0;
+      if (covers_.empty() || covers_.front().covered.from > t) {
+        break;
+      }
+    }
   }
   return t;
 }
 
-void WitnessSearch::add_children(const Family& children, unsigned lanes) {
-  const bool other_is_edge = children.of_other.extent[ChordTree::lane_of(children.other)] < 0;
-  for_each_lane(lanes, [&](std::uint32_t lane) {
-    const Nodes nodes = children.nodes(lane);
-    if (!(other_is_edge && children.children.extent[lane] < 0)) {
-      queue_.push_back(nodes);
-    } else if (!(children.children.boxes.x0[lane] > children.children.boxes.x1[lane])) {
-      pairs_.push_back({a_.below(nodes.a), b_.below(nodes.b)});
-    }  // or else missing, seen where numbers have overflowed
-  });
-}
-
-double WitnessSearch::reach(const RelativeLine& line, double t) {
-  const Point x = line.at(t);
-  const double least = std::min(1.0, t + least_progress);
-  if (last_ && last_->holds(x)) {
-    const double end = last_->reach(line, t);
-    if (end >= least) {
-      return end;
+const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, double to) {
+  activate(to);
+  for (; next_ < queue_.size(); ++next_) {
+    const Waiting waiting = queue_[next_];
+    if (!(waiting.near.to < from)) {
+      expand(waiting.nodes, from, to);
     }
   }
-  Cell& cell = cell_of(x);
-  const double end = remembered_reach(cell, line, t, least);
-  return end > t ? end : searched_reach(cell, line, t, least);
-}
-
-void WitnessSearch::find_pairs(const Point& x, double distance) {
-  find_pairs_by([&](const Family& children) { return lanes_at(children, x, distance).near; });
-}
-
-void WitnessSearch::find_pairs(const Box& box) {
-  const Box wide = widened(box, slack_);
-  find_pairs_by([&](const Family& family) {
-    const Box other = family.box_of_other();
-    return family.children.boxes.overlapping(
-        {wide.x0 - other.x1, wide.y0 - other.y1, wide.x1 - other.x0, wide.y1 - other.y0});
-  });
-}
-
-template <class NearLanes>
-void WitnessSearch::find_pairs_by(NearLanes near_lanes) {
   queue_.clear();
+  next_ = 0;
+  near_pairs_.erase(std::remove_if(near_pairs_.begin(), near_pairs_.end(),
+                                   [&](const NearPair& p) { return p.near.to < from; }),
+                    near_pairs_.end());
   pairs_.clear();
-  queue_.push_back(roots);
-  while (!queue_.empty()) {
-    const Nodes parents = queue_.back();
-    queue_.pop_back();
-    const Family children = family(parents);
-    add_children(children, near_lanes(children));
+  for (const NearPair& near_pair : near_pairs_) {
+    if (!(near_pair.near.from > to)) {
+      pairs_.push_back(near_pair.pair);
+    }
   }
+  return pairs_;
 }
 
 bool WitnessSearch::is_covered(const Nodes& nodes) {

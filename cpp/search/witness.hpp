@@ -89,27 +89,29 @@ class Witness {
   double length_v_;
 };
 
-// Searches both polygons' trees for witnesses, and for the pairs of edges near a place.
+// Searches both polygons' trees for witnesses of a superset edge, and for the pairs of edges near a
+// place on it. Goes along the edge, from its start. What is ahead waits until it is reached: the sums
+// of pairs of nodes, and witnesses that were met early.
 class WitnessSearch {
  public:
   explicit WitnessSearch(const Operands& operands);
 
+  // Sets out along a line, from its start.
+  void begin(const RelativeLine& line);
+
   // How far from t on the line lies in the open sum: a parameter up to 1, itself in the open sum.
-  // t itself if no witness holds it, or none much more: then the pairs of edges are in pairs().
-  double reach(const RelativeLine& line, double t);
+  // t itself if no witness holds it, or none much more. t never goes back.
+  double reach(double t);
 
   struct Pair {
     Index i;
     Index j;
   };
-  // What the last search has found.
+  // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a parameter
+  // from `from` to `to`. These never go back.
+  const std::vector<Pair>& pairs_near(double from, double to);
+  // The last of these.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
-
-  // Finds all pairs of edges, one of each polygon, whose sums may hold the point. It is off by at
-  // most the distance.
-  void find_pairs(const Point& x, double distance);
-  // The same for the points of a box.
-  void find_pairs(const Box& box);
 
   // Calls visit(edge) for the superset edges, before merging, whose direction is in the half-plane
   // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
@@ -126,6 +128,12 @@ class WitnessSearch {
   };
   static constexpr Nodes roots{ChordTree::root, ChordTree::root};
 
+  // The parameters of a line from one to another.
+  struct Range {
+    double from;
+    double to;
+  };
+
   // The children of the larger node, beside the other one.
   struct Family {
     const ChordTree::Block& children;
@@ -138,20 +146,40 @@ class WitnessSearch {
       const ChordTree::Node child = ChordTree::node(number, lane);
       return is_of_a ? Nodes{child, other} : Nodes{other, child};
     }
-    [[nodiscard]] Box box_of_other() const {
-      return of_other.boxes.box(ChordTree::lane_of(other));
-    }
   };
   [[nodiscard]] Family family(const Nodes& nodes) const;
-  // The lanes whose sums with the other node may hold a point, and those that cover it.
-  struct Lanes {
-    unsigned near;
-    unsigned covering;
+
+  // Where the line is near the sums of the children with the other node, and what these cover of it.
+  struct Ranges {
+    double near_from[ChordTree::width];
+    double near_to[ChordTree::width];
+    double covered_from[ChordTree::width];
+    double covered_to[ChordTree::width];
   };
-  [[nodiscard]] Lanes lanes_at(const Family& family, const Point& x, double distance) const;
-  void add_children(const Family& children, unsigned lanes);
-  template <class NearLanes>
-  void find_pairs_by(NearLanes near_lanes);
+  [[nodiscard]] Ranges ranges(const Family& family) const;
+
+  // Nodes near a part of the line.
+  struct Waiting {
+    Range near;
+    Nodes nodes;
+    [[nodiscard]] double first() const { return near.from; }
+  };
+  // What a witness covers.
+  struct Cover {
+    Range covered;
+    Nodes nodes;
+    [[nodiscard]] double first() const { return covered.from; }
+  };
+  struct NearPair {
+    Range near;
+    Pair pair;
+  };
+  // Puts the children of nodes that come near the line from `from` on where they belong: in the
+  // queue, if this is before `to`.
+  void expand(const Nodes& nodes, double from, double to);
+  // Moves the nodes that come near the line before that to the queue.
+  void activate(double to);
+
   [[nodiscard]] bool are_edges(const Nodes& nodes) const {
     return a_.is_edge(nodes.a) && b_.is_edge(nodes.b);
   }
@@ -166,9 +194,10 @@ class WitnessSearch {
     std::uint32_t next = 0;  // which is replaced next
   };
   [[nodiscard]] Cell& cell_of(const Point& x);
-  // How far a remembered witness of the cell reaches from t; t if none reaches `least`.
-  double remembered_reach(const Cell& cell, const RelativeLine& line, double t, double least);
-  double searched_reach(Cell& cell, const RelativeLine& line, double t, double least);
+  // How far a remembered witness reaches from t; t if none reaches `least`.
+  double remembered_reach(double t, double least);
+  // The same for the witnesses that were met.
+  double met_reach(double t, double least);
   // Does a remembered witness hold the sum of the nodes?
   [[nodiscard]] bool is_covered(const Nodes& nodes);
 
@@ -188,8 +217,15 @@ class WitnessSearch {
   const ChordTree& a_;
   const ChordTree& b_;
   double slack_;
-  std::vector<Nodes> queue_;
+
+  RelativeLine line_{};
+  std::vector<Waiting> queue_;    // what is near the place on the line that was reached
+  std::size_t next_ = 0;          // in the queue
+  std::vector<Waiting> waiting_;  // a heap: the one that comes near first is in front
+  std::vector<Cover> covers_;     // likewise
+  std::vector<NearPair> near_pairs_;
   std::vector<Pair> pairs_;
+
   std::optional<Witness> last_;
   Box bounds_;
   double cells_a_unit_x_;

@@ -31,6 +31,26 @@ struct OuterFaces {
   }
 };
 
+// The steps of one pair, counted as steps of the batch.
+class PairProgress {
+ public:
+  explicit PairProgress(Task& batch) : batch_(batch) {}
+  Task& task() { return task_; }
+
+ private:
+  static std::int32_t report(void* context, std::uint64_t done, std::uint64_t /*estimate*/) {
+    auto& progress = *static_cast<PairProgress*>(context);
+    progress.batch_.advance(done - progress.counted_);
+    progress.counted_ = done;
+    return 0;
+  }
+
+  Task& batch_;
+  std::uint64_t counted_ = 0;
+  Task task_{1, report, this};
+};
+
+// Each pair simplifies its polygons.
 struct Regions {
   using Shape = Polygon;
   using Result = Region;
@@ -38,15 +58,13 @@ struct Regions {
 
   static const Boundary& rings(const Polygon& polygon) { return polygon.boundary(); }
   static RegionOperand simplified(const std::shared_ptr<const Polygon>& polygon,
-                                  const Options& options) {
-    const SimplifiedPolygon near = simplify(polygon, options.tolerance / 2, options.rounding);
-    return {near.polygon, "", near.error_bound};
+                                  const Options& /*options*/) {
+    return {polygon, "", 0};
   }
   static Region sum(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                     const Options& options, Task& task) {
-    Options as_they_are = options;
-    as_they_are.tolerance = 0;
-    return minkowski_sum_region(a, b, shift, as_they_are, task);
+    PairProgress progress(task);
+    return minkowski_sum_region(a, b, shift, options, progress.task());
   }
 };
 

@@ -71,6 +71,15 @@ double EdgeCover::parameter_of(const RelativeLine& line, const Place& place) con
   return t > 0 ? std::min(t, 1.0) : 0;  // 0 if it is not a number
 }
 
+Interval EdgeCover::parameters_of(const RelativeLine& line, const Place& place) const {
+  if (!place.is_sum) {
+    return {std::max(place.parameter.lo, 0.0), std::min(place.parameter.hi, 1.0)};
+  }
+  const double t = parameter_of(line, place);
+  const double error = 2 * search_.slack() / std::max(std::abs(line.dx), std::abs(line.dy));
+  return {t - error, t + error};
+}
+
 EdgeCover::Neighbourhood EdgeCover::neighbourhood(const RelativeLine& line,
                                                   const Place& place) const {
   if (place.is_sum) {
@@ -141,20 +150,13 @@ void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::
         [&] { return cones_.overlap(cones_.vertex_of_a(i), cones_.edge_of_b(j)); });
 }
 
-std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeLine& line,
-                                     double t, const Place& start) {
-  while (true) {
-    const double reach = search_.reach(line, t);
-    if (reach == t) {
-      break;
-    }
-    if (reach == 1) {
-      return std::nullopt;
-    }
-    t = reach;
+std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, double t, const Place& start) {
+  t = search_.reach(t);
+  if (t == 1) {
+    return std::nullopt;
   }
   std::optional<Place> furthest;
-  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+  for (const WitnessSearch::Pair& pair : search_.pairs_near(t, t)) {
     const std::optional<Sides> sides = sides_of(pair);
     if (!sides) {
       continue;
@@ -297,8 +299,8 @@ bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place
 
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
-  const auto [point, distance] = neighbourhood(line, place);
-  search_.find_pairs(point, distance);
+  const Interval parameters = parameters_of(line, place);
+  search_.pairs_near(parameters.lo, parameters.hi);
   Surroundings result{false, BlockedDirections(operands_.directions)};
   const auto contact = [&](const ConesOfPoint& cones_a, const ConesOfPoint& cones_b) {
     result.is_covered = cones_.overlap(cones_a, cones_b);
@@ -394,12 +396,12 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
   const double middle = from + (to - from) / 2;
   const bool is_certain = (place.is_sum || place.parameter.hi < middle) && !furthest->is_sum &&
                           furthest->parameter.lo > middle;
-  return is_certain && from < middle ? skip(places, line, middle, *furthest) : furthest;
+  return is_certain && from < middle ? skip(places, middle, *furthest) : furthest;
 }
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
                              const Place& place) {
-  search_.find_pairs(box_of(line.at(parameter_of(line, place)), line.at(1)));
+  search_.pairs_near(parameters_of(line, place).lo, 2);
   Place first = places.end();
   const auto come = [&](const Place& change) {
     if (places.compare(change, first) < 0) {

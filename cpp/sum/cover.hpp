@@ -99,7 +99,8 @@ class EdgeCover {
   void walk(const PairEdge& s, Visitor& visitor) {
     const PlacesOnLine places(operands_, s, tally_);
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
-    std::optional<Place> place = skip(places, line, 0, places.start());
+    search_.begin(line);
+    std::optional<Place> place = skip(places, 0, places.start());
     std::optional<Place> segment;  // where one has begun
     while (place) {
       Surroundings surroundings = look(places, line, *place);
@@ -152,6 +153,7 @@ class EdgeCover {
         const PlacesOnLine places(operands_, s, tally_);
         const RelativeLine line{operands_.relative_start(s), places.line().at.dx,
                                 places.line().at.dy};
+        search_.begin(line);
         const Surroundings surroundings = look(places, line, places.start());
         if (!surroundings.is_covered && surroundings.blocked.hold_all()) {
           visitor.point(places, places.start());
@@ -163,8 +165,7 @@ class EdgeCover {
  private:
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
   // beyond t, up to which s is covered; `start` if there is none.
-  std::optional<Place> skip(const PlacesOnLine& places, const RelativeLine& line, double t,
-                            const Place& start);
+  std::optional<Place> skip(const PlacesOnLine& places, double t, const Place& start);
   // Do rings of A touch at a point of edge i, and rings of B at one of edge j, so that their sum is
   // the place? Then the parallelogram of these edges does not tell whether it lies in O.
   [[nodiscard]] bool is_sum_of_touches(const PlacesOnLine& places, const Place& place,
@@ -189,6 +190,8 @@ class EdgeCover {
   Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
 
   [[nodiscard]] double parameter_of(const RelativeLine& line, const Place& place) const;
+  // Parameters that enclose that of a place on s.
+  [[nodiscard]] Interval parameters_of(const RelativeLine& line, const Place& place) const;
   // A point, and how far the place is from it at most, roundings of coordinates aside.
   struct Neighbourhood {
     Point point;
