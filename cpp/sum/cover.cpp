@@ -276,6 +276,19 @@ EdgeCover::Containment EdgeCover::containment_at(const PlacesOnLine& places,
   return result;
 }
 
+const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const RelativeLine& line,
+                                          const std::vector<Run>& runs, const Place& place) const {
+  if (runs.empty()) {
+    return nullptr;
+  }
+  const Interval here = parameters_of(line, place);
+  const auto run = std::find_if(runs.begin(), runs.end(), [&](const Run& r) {
+    const Interval from = parameters_of(line, r.from);
+    return !(from.lo > here.hi) && !(from.hi < here.lo) && places.compare(place, r.from) == 0;
+  });
+  return run == runs.end() ? nullptr : &*run;
+}
+
 bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const VertexSum& sum) const {
   if (place.is_sum && place.sum == sum) {
     return true;

@@ -16,8 +16,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "contacts.hpp"
+#include "exact_ring.hpp"
 #include "contributing_vertices.hpp"
 #include "place.hpp"
 #include "predicates.hpp"
@@ -38,6 +40,12 @@ class PlacesOnLine {
   // The crossing with another line, which is not parallel.
   [[nodiscard]] Place crossing(const Line& other) const {
     return {false, {}, other.edge, crossing_parameter(line_.at, other.at)};
+  }
+
+  // A vertex on the line, as its crossing with that edge if it is no sum of two vertices.
+  [[nodiscard]] Place place(const RingVertex& v, const EdgeName& edge) const {
+    return v.is_sum() ? Place::of({v.i(), v.j()})
+                      : crossing(Line::of(operands_, operands_.named(edge)));
   }
 
   // The sign of the turn from e to f: 1 to the left, 0 for opposite directions too.
@@ -72,11 +80,18 @@ class PlacesOnLine {
 enum class Solids : std::uint8_t { one, several };
 
 // Walks along superset edges. Takes what it finds to a visitor:
+//   known_runs(places): where rings that are known pass along s;
 //   ring(places, from): a ring passes along s from that place on: returns where it leaves s;
 //   segment(places, from, to): s runs along F, with O on both sides;
 //   point(places, place): an isolated point of F.
 class EdgeCover {
  public:
+  // A part of s along which a ring passes.
+  struct Run {
+    Place from;
+    Place to;
+  };
+
   EdgeCover(const Operands& operands, Solids solids, Tally& tally)
       : operands_(operands),
         solids_(solids),
@@ -100,9 +115,24 @@ class EdgeCover {
     const PlacesOnLine places(operands_, s, tally_);
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
     search_.begin(line);
-    std::optional<Place> place = skip(places, 0, places.start());
     std::optional<Place> segment;  // where one has begun
+    const std::vector<Run> runs = visitor.known_runs(places);
+    std::optional<Place> place = places.start();
+    if (find_run(places, line, runs, *place) == nullptr) {
+      place = skip(places, 0, *place);
+    }
     while (place) {
+      if (const Run* const run = find_run(places, line, runs, *place)) {
+        if (segment) {
+          visitor.segment(places, *segment, *place);
+          segment.reset();
+        }
+        place = run->to;
+        if (place->is_sum && place->sum == places.end().sum) {
+          return;
+        }
+        continue;
+      }
       Surroundings surroundings = look(places, line, *place);
       const Containment containment = containment_at(places, line, *place);
       surroundings.is_covered = surroundings.is_covered || containment.of_place;
@@ -163,6 +193,9 @@ class EdgeCover {
   }
 
  private:
+  // The run that begins in the place, or nullptr.
+  [[nodiscard]] const Run* find_run(const PlacesOnLine& places, const RelativeLine& line,
+                                    const std::vector<Run>& runs, const Place& place) const;
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
   // beyond t, up to which s is covered; `start` if there is none.
   std::optional<Place> skip(const PlacesOnLine& places, double t, const Place& start);

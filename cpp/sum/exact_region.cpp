@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "fits.hpp"
 #include "free_rings.hpp"
 #include "half_plane.hpp"
+#include "known_runs.hpp"
 #include "search.hpp"
 #include "turns.hpp"
 #include "walker.hpp"
@@ -28,19 +30,32 @@ class Finder {
         walker_(operands, Search(superset), superset.slack(), task),
         fits_(operands, tally) {}
 
-  void add_known(const std::vector<RingVertex>& ring) {
-    for (const RingVertex& vertex : ring) {
-      known_.add(vertex);
-    }
+  // A ring that lives as long as this.
+  void add_outer(const std::vector<RingVertex>& ring) {
+    runs_.add(ring);
+    outer_ = &ring;
+  }
+
+  [[nodiscard]] std::vector<EdgeCover::Run> known_runs(const PlacesOnLine& places) const {
+    std::vector<EdgeCover::Run> runs;
+    runs_.for_each(places.line().edge, [&](const KnownRuns::Run& run) {
+      runs.push_back({places.place(run.from, run.from.arriving()),
+                      places.place(run.to, run.to.leaving())});
+    });
+    return runs;
   }
 
   Place ring(const PlacesOnLine& places, const Place& from) {
+    if (outer_ != nullptr) {
+      add_known(*std::exchange(outer_, nullptr));
+    }
     auto ring = walker_.ring(from, places.line().edge,
                              [&](const RingVertex& vertex) { return known_.has(vertex); });
     if (ring.walk) {
       steps_ += ring.walk->steps;
       candidates_ = ring.walk->candidates;  // of all rings so far
       add_known(ring.walk->vertices);
+      runs_.add(ring.walk->vertices);
       rings_.push_back(std::move(ring.walk->vertices));
     }
     return ring.leaves;
@@ -66,6 +81,14 @@ class Finder {
                         : RingVertex::crossing(s, place.crossing);
   }
 
+  void add_known(const std::vector<RingVertex>& ring) {
+    for (const RingVertex& vertex : ring) {
+      known_.add(vertex);
+    }
+  }
+
+  KnownRuns runs_;
+  const std::vector<RingVertex>* outer_ = nullptr;  // if its turns are not known yet
   KnownTurns known_;
   Walker<Search> walker_;
   Fits fits_;
@@ -131,7 +154,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
   const SearchableSuperset superset(operands);
   Finder finder(operands, superset, task, tally);
-  finder.add_known(outer);
+  finder.add_outer(outer);
   EdgeCover cover(operands, Solids::one, tally);
   walk_half_plane(operands, cover, finder, task, counts);
   if (wanted.fits) {
