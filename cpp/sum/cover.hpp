@@ -23,6 +23,7 @@
 #include "contributing_vertices.hpp"
 #include "place.hpp"
 #include "predicates.hpp"
+#include "walked_lines.hpp"
 #include "witness.hpp"
 
 namespace gcv {
@@ -167,8 +168,11 @@ class EdgeCover {
   // advance() after each.
   template <class Visitor, class Advance>
   void walk_half_plane(Rank first, Visitor& visitor, Advance advance) {
+    WalkedLines lines(operands_, search_.slack(), tally_);
     search_.for_each_uncovered_edge(first, [&](const PairEdge& s) {
-      walk(s, visitor);
+      if (!lines.hold(s)) {
+        walk(s, visitor);
+      }
       advance();
     });
   }
