@@ -14,13 +14,13 @@ namespace gcv {
 
 namespace {
 
-// What is computed: how shapes are simplified, and sums of simplified operands computed.
+// What a batch computes: how shapes become operands, and operands sums.
 struct OuterFaces {
   using Shape = Boundary;
   using Result = OuterFace;
   using Options = SumOptions;
 
-  static const Boundary& rings(const Boundary& ring) { return ring; }
+  static const Boundary& outer(const Boundary& ring) { return ring; }
   static Operand simplified(const std::shared_ptr<const Boundary>& ring, const Options& options) {
     const Simplified near = simplified_for_sum(ring, options);
     return {near.ring, "", near.error_bound};
@@ -50,13 +50,13 @@ class PairProgress {
   Task task_{1, report, this};
 };
 
-// Each pair simplifies its polygons.
+// Each pair simplifies its polygons: minkowski_sum_region() does so itself.
 struct Regions {
   using Shape = Polygon;
   using Result = Region;
   using Options = RegionOptions;
 
-  static const Boundary& rings(const Polygon& polygon) { return polygon.boundary(); }
+  static const Boundary& outer(const Polygon& polygon) { return polygon.outer; }
   static RegionOperand simplified(const std::shared_ptr<const Polygon>& polygon,
                                   const Options& /*options*/) {
     return {polygon, "", 0};
@@ -110,7 +110,7 @@ class Batch {
     std::uint64_t steps = 0;
     for (const auto& [a, b, shift] : pairs_) {
       if (a != nullptr && b != nullptr) {
-        steps += estimated_steps(Kind::rings(*a), Kind::rings(*b));
+        steps += estimated_steps(Kind::outer(*a), Kind::outer(*b));
       }
     }
     return steps;

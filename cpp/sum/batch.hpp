@@ -51,7 +51,7 @@ BatchReport minkowski_sums(const std::vector<SumPair<Boundary>>& pairs, const Pa
                            const SumOptions& options, unsigned threads, Task& task,
                            const TakeResult<OuterFace>& take);
 
-// The regions, likewise.
+// The regions, likewise. Each pair simplifies its polygons.
 BatchReport minkowski_sum_regions(const std::vector<SumPair<Polygon>>& pairs,
                                   const PairNames& names, const RegionOptions& options,
                                   unsigned threads, Task& task, const TakeResult<Region>& take);

@@ -150,8 +150,9 @@ void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::
         [&] { return cones_.overlap(cones_.vertex_of_a(i), cones_.edge_of_b(j)); });
 }
 
-std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, double t, const Place& start) {
-  t = search_.reach(t);
+std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeLine& line,
+                                     double from, const Place& start) {
+  const double t = search_.reach(from);
   if (t == 1) {
     return std::nullopt;
   }
@@ -178,6 +179,9 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, double t, const
     }
   }
   if (!furthest || places.compare(*furthest, start) <= 0) {
+    if (t > from) {
+      search_.begin(line);  // for the start lies further back
+    }
     return start;
   }
   return places.compare(*furthest, places.end()) > 0 ? std::nullopt : furthest;
@@ -409,7 +413,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
   const double middle = from + (to - from) / 2;
   const bool is_certain = (place.is_sum || place.parameter.hi < middle) && !furthest->is_sum &&
                           furthest->parameter.lo > middle;
-  return is_certain && from < middle ? skip(places, middle, *furthest) : furthest;
+  return is_certain && from < middle ? skip(places, line, middle, *furthest) : furthest;
 }
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,

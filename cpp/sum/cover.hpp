@@ -120,7 +120,7 @@ class EdgeCover {
     const std::vector<Run> runs = visitor.known_runs(places);
     std::optional<Place> place = places.start();
     if (find_run(places, line, runs, *place) == nullptr) {
-      place = skip(places, 0, *place);
+      place = skip(places, line, 0, *place);
     }
     while (place) {
       if (const Run* const run = find_run(places, line, runs, *place)) {
@@ -202,7 +202,8 @@ class EdgeCover {
                                     const std::vector<Run>& runs, const Place& place) const;
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
   // beyond t, up to which s is covered; `start` if there is none.
-  std::optional<Place> skip(const PlacesOnLine& places, double t, const Place& start);
+  std::optional<Place> skip(const PlacesOnLine& places, const RelativeLine& line, double from,
+                            const Place& start);
   // Do rings of A touch at a point of edge i, and rings of B at one of edge j, so that their sum is
   // the place? Then the parallelogram of these edges does not tell whether it lies in O.
   [[nodiscard]] bool is_sum_of_touches(const PlacesOnLine& places, const Place& place,

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Regions by their definition, to compare the cover walk with. By CGAL (GPL: in tests only). All
+// sums of an edge and a vertex go into one exact arrangement. Each of its faces, edges and vertices
+// is then asked whether two polygons overlap. Nothing is known of supersets, of convex vertices, or
+// of walks.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "point.hpp"
+
+namespace gcv::reference {
+
+// The rings of a polygon, the outer one first, each either way round.
+using Rings = std::vector<PointVector>;
+
+// Part of a region, as gcv_region_part: 1 is an outer ring, 2 a hole, 3 a segment, 4 a point.
+// Segments and points have the polygon 0xffffffff. Each vertex is "p/q r/s".
+struct RegionPart {
+  int kind;
+  std::uint32_t polygon;
+  std::vector<std::string> vertices;
+
+  friend bool operator==(const RegionPart&, const RegionPart&) = default;
+};
+
+// The closed sum a + b + shift, and the exact fits in it.
+std::vector<RegionPart> sum_region(const Rings& a, const Rings& b, const Point& shift);
+
+// Where the reference point, fixed to `moving`, may go with `moving` inside the container.
+std::vector<RegionPart> inner_fit_region(const Rings& container, const Rings& moving,
+                                         const Point& reference);
+
+// One part a line.
+std::string text(const std::vector<RegionPart>& region);
+
+}  // namespace gcv::reference
