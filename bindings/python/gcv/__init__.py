@@ -1,24 +1,42 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The outer face of the Minkowski sum of two polygons, exactly.
+"""Minkowski sums of two polygons, exactly: outer faces and whole regions.
 
 Every coordinate is a finite float and stands for exactly that number; nothing is
-rounded but the coordinates that are handed back as floats, each once. Polygons and
-outer faces never change, so any number of threads may share them; the work is done
-outside Python's global lock. They can be pickled, and travel to other processes.
+rounded but the coordinates that are handed back as floats, each once. Polygons, outer
+faces and regions never change, so any number of threads may share them; the work is
+done outside Python's global lock. They can be pickled, and travel to other processes.
 """
 
-from ._call import Progress, Rounding
-from ._ffi import Error, InputError
-from ._outer_face import (
+from ._call import LeaveOut, Progress, Rounding
+from ._facts import (
     EDGE_CORNER,
     EDGE_TRANSLATED,
     EDGE_TRANSLATED_CORNER,
     EdgeSource,
-    OuterFace,
     Stats,
 )
+from ._ffi import Error, InputError
+from ._outer_face import OuterFace
 from ._polygon import Polygon, Simplified
+from ._region import (
+    PART_HOLE,
+    PART_OUTER,
+    PART_POINT,
+    PART_SEGMENT,
+    Location,
+    Region,
+    RegionPart,
+    RegionPolygon,
+)
+from ._region_sums import (
+    entrance_region,
+    inner_fit_region,
+    minkowski_sum_region,
+    minkowski_sum_region_many,
+    no_fit_region,
+    no_fit_region_many,
+)
 from ._sources import PolygonLike
 from ._sums import (
     SupersetEdge,
@@ -27,29 +45,51 @@ from ._sums import (
     minkowski_sum,
     minkowski_sum_many,
     no_fit_polygon,
+    no_fit_polygon_many,
     superset,
 )
 
+INSIDE, BOUNDARY, OUTSIDE = Location.INSIDE, Location.BOUNDARY, Location.OUTSIDE
+
 __all__ = [
+    "BOUNDARY",
     "EDGE_CORNER",
     "EDGE_TRANSLATED",
     "EDGE_TRANSLATED_CORNER",
+    "INSIDE",
+    "OUTSIDE",
+    "PART_HOLE",
+    "PART_OUTER",
+    "PART_POINT",
+    "PART_SEGMENT",
     "EdgeSource",
     "Error",
     "InputError",
+    "LeaveOut",
+    "Location",
     "OuterFace",
     "Polygon",
     "PolygonLike",
     "Progress",
+    "Region",
+    "RegionPart",
+    "RegionPolygon",
     "Rounding",
     "Simplified",
     "Stats",
     "SupersetEdge",
     "entrance_block",
+    "entrance_region",
+    "inner_fit_region",
     "library_version",
     "minkowski_sum",
     "minkowski_sum_many",
+    "minkowski_sum_region",
+    "minkowski_sum_region_many",
     "no_fit_polygon",
+    "no_fit_polygon_many",
+    "no_fit_region",
+    "no_fit_region_many",
     "superset",
 ]
 

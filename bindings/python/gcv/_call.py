@@ -5,16 +5,19 @@
 from __future__ import annotations
 
 import threading
-from typing import Any, Callable, Literal, Optional, TypeVar
+from collections.abc import Iterable
+from typing import Any, Callable, Literal, Optional, TypeVar, Union
 
 from . import _ffi
 
 Rounding = Literal["nearest", "outward"]
+LeaveOut = Union[Literal["holes", "fits"], Iterable[Literal["holes", "fits"]]]
+"""What a region is to lack, to save time: its holes, its segments and points, or both."""
 Progress = Callable[[int, int], object]
 
 _T = TypeVar("_T")
 
-# An outer face has in the order of n m edges at most: below this, no call is long.
+# The superset has in the order of n m edges at most: below this, no call is long.
 _SHORT = 1 << 16
 _SECONDS_BETWEEN_REPORTS = 0.1
 
@@ -26,6 +29,7 @@ def run(
     tolerance: float,
     threads: int,
     progress: Optional[Progress],
+    leave_out: LeaveOut = (),
 ) -> _T:
     """Return call(options), interruptible where it can take long.
 
@@ -36,7 +40,7 @@ def run(
     """
     short = pairs <= _SHORT or threading.current_thread() is not threading.main_thread()
     if progress is None and short:
-        return call(_options(rounding, tolerance, threads))
+        return call(_options(rounding, tolerance, threads, leave_out))
     from concurrent.futures import ThreadPoolExecutor, wait
 
     latest = (0, 0)
@@ -47,7 +51,7 @@ def run(
         latest = (done, estimate)
         return cancelled
 
-    options = _options(rounding, tolerance, threads, _ffi.Progress(report))
+    options = _options(rounding, tolerance, threads, leave_out, _ffi.Progress(report))
     with ThreadPoolExecutor(1) as pool:
         try:
             future = pool.submit(call, options)
@@ -70,12 +74,31 @@ def value_of(rounding: Rounding) -> int:
     return _ffi.ROUNDINGS[rounding]
 
 
-def _options(rounding: Rounding, tolerance: float, threads: int, report: Any = None) -> Any:
+def _bits(leave_out: LeaveOut) -> int:
+    """What to leave out as the library takes it."""
+    try:
+        parts = {leave_out} if isinstance(leave_out, str) else set(leave_out)
+    except TypeError:
+        parts = {leave_out}  # type: ignore[arg-type]
+    for part in parts:
+        if part not in _ffi.LEAVE_OUTS:
+            raise ValueError(f"leave_out is {part!r}, none of {', '.join(_ffi.LEAVE_OUTS)}")
+    return sum(_ffi.LEAVE_OUTS[part] for part in parts)
+
+
+def _options(
+    rounding: Rounding, tolerance: float, threads: int, leave_out: LeaveOut, report: Any = None
+) -> Any:
     """The options as the library takes them; None for the defaults."""
-    if report is None and (rounding, tolerance, threads) == ("nearest", 0, 1):
+    bits = _bits(leave_out)
+    if report is None and (rounding, tolerance, threads, bits) == ("nearest", 0, 1, 0):
         return None
     options = _ffi.sized(
-        _ffi.Options, rounding=value_of(rounding), tolerance=tolerance, threads=threads
+        _ffi.Options,
+        rounding=value_of(rounding),
+        tolerance=tolerance,
+        threads=threads,
+        leave_out=bits,
     )
     if report is not None:
         options.progress = report

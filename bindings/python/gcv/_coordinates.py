@@ -10,11 +10,11 @@ import reprlib
 import struct
 import sys
 from array import array
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence, Sized
 from itertools import accumulate
 from typing import Any, Optional
 
-from ._ffi import INVALID_ARGUMENT, NOT_FINITE, PARSE, InputError
+from ._ffi import INVALID_ARGUMENT, NOT_FINITE, PARSE, InputError, named
 
 _DOUBLE_FORMATS = ("d", ("<" if sys.byteorder == "little" else ">") + "d")
 _VERTEX_BYTES = 16
@@ -115,6 +115,29 @@ def pair(value: Any, name: str) -> tuple[float, float]:
     """The value as (x, y), which the argument of that name should be."""
     x, y = numbers(value, 2, name, value, "a pair of numbers")
     return x, y
+
+
+def point_or_points(source: Any, name: str) -> tuple[bytes, bool]:
+    """The doubles of one point or of a sequence of them, and whether it is one.
+
+    Messages call them by that name.
+    """
+    try:
+        view = _buffer(source)
+    except InputError as error:
+        raise named(error, name) from None
+    if view is not None and (view.shape or ())[-1:] == (2,) and view.ndim <= 2:
+        return view.tobytes(), view.ndim == 1
+    try:
+        values = tuple(source)
+    except TypeError:
+        raise unfit(name, source, "a point, nor a sequence of points") from None
+    if len(values) == 2 and not any(isinstance(value, Sized) for value in values):
+        return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
+    doubles = array("d")
+    for k, value in enumerate(values):
+        doubles.extend(pair(value, f"{name}[{k}]"))
+    return doubles.tobytes(), False
 
 
 def numbers(values: Iterable[Any], count: int, name: str, value: object, what: str) -> array[float]:

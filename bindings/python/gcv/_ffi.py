@@ -12,6 +12,7 @@ from ctypes import (
     byref,
     c_char_p,
     c_double,
+    c_int8,
     c_int32,
     c_size_t,
     c_uint32,
@@ -37,6 +38,29 @@ _NEW_IN_0_2 = {
     "gcv_polygon_ring_count",
     "gcv_polygon_ring",
     "gcv_options_init_size",
+    "gcv_no_fit_polygon_many",
+    "gcv_outer_face_exact_indices",
+    "gcv_minkowski_sum_region",
+    "gcv_no_fit_region",
+    "gcv_entrance_region",
+    "gcv_inner_fit_region",
+    "gcv_minkowski_sum_region_many",
+    "gcv_no_fit_region_many",
+    "gcv_region_destroy",
+    "gcv_region_parts",
+    "gcv_region_vertices",
+    "gcv_region_exact_parts",
+    "gcv_region_exact_vertex",
+    "gcv_region_exact_indices",
+    "gcv_region_edge_sources",
+    "gcv_region_edge_owners",
+    "gcv_region_area",
+    "gcv_region_error_bound",
+    "gcv_region_wkt",
+    "gcv_region_fits_wkt",
+    "gcv_region_polygon",
+    "gcv_region_locate",
+    "gcv_region_stats",
 }
 
 
@@ -69,6 +93,8 @@ INVALID_ARGUMENT = 2
 NOT_FINITE = 3
 PARSE = 8
 ROUNDINGS = {"nearest": 0, "outward": 1}
+LEAVE_OUTS = {"holes": 1, "fits": 2}
+NO_POLYGON = 2**32 - 1
 
 version_number = _declare("gcv_version_number", c_uint32)
 version_string = _declare("gcv_version_string", c_char_p)
@@ -154,7 +180,8 @@ class _Handle(c_void_p):
     _destroy: ClassVar[Any]
 
     def __del__(self) -> None:
-        self._destroy(self)
+        if self:
+            self._destroy(self)
 
     def __reduce__(self) -> NoReturn:
         raise TypeError("handles of libgcv cannot be pickled or copied")
@@ -166,6 +193,10 @@ class Polygon(_Handle):
 
 class OuterFace(_Handle):
     _destroy = _declare("gcv_outer_face_destroy", None, c_void_p)
+
+
+class Region(_Handle):
+    _destroy = _declare("gcv_region_destroy", None, c_void_p)
 
 
 class Superset(_Handle):
@@ -188,6 +219,7 @@ class Options(Structure):
         ("threads", c_int32),
         ("progress", Progress),
         ("progress_context", c_void_p),
+        ("leave_out", c_uint64),
     )
 
 
@@ -214,7 +246,12 @@ class Stats(Structure):
         ("predicates_fixed_width", c_uint64),
         ("predicates_rational", c_uint64),
         ("vertices_repaired", c_uint64),
+        ("parts_dropped", c_uint64),
     )
+
+
+class RegionPart(Structure):
+    _fields_ = (("kind", c_int32), ("polygon", c_uint32), ("vertex_count", c_uint64))
 
 
 def sized(struct: Any, **fields: Any) -> Any:
@@ -230,6 +267,9 @@ _buffer = (c_void_p, c_size_t, _size)
 _options = POINTER(Options)
 _polygon = POINTER(Polygon)
 _face = POINTER(OuterFace)
+_region = POINTER(Region)
+_handles = POINTER(c_void_p)
+_statuses = POINTER(c_int32)
 
 polygon_create = _function("gcv_polygon_create", c_void_p, c_size_t, c_size_t, _polygon)
 polygon_create_wkt = _function("gcv_polygon_create_wkt", c_char_p, c_size_t, _polygon)
@@ -237,8 +277,7 @@ polygon_create_rings = _function(
     "gcv_polygon_create_rings", c_void_p, _size, c_size_t, c_size_t, _polygon
 )
 polygon_create_many = _function(
-    *("gcv_polygon_create_many", c_void_p, _size, c_size_t, c_size_t),
-    *(POINTER(c_void_p), POINTER(c_int32)),
+    "gcv_polygon_create_many", c_void_p, _size, c_size_t, c_size_t, _handles, _statuses
 )
 polygon_create_disc = _function(
     "gcv_polygon_create_disc", _double, c_double, c_double, c_int32, _polygon
@@ -258,24 +297,55 @@ options_init = _declare("gcv_options_init", None, _options)
 options_init_size = _declare("gcv_options_init_size", None, _options, c_uint32)
 
 minkowski_sum = _function("gcv_minkowski_sum", Polygon, Polygon, _options, _face)
-minkowski_sum_many = _function(
-    "gcv_minkowski_sum_many",
-    *(POINTER(c_void_p), POINTER(c_void_p), c_size_t, _options),
-    *(POINTER(c_void_p), POINTER(c_int32)),
-)
 no_fit_polygon = _function("gcv_no_fit_polygon", Polygon, Polygon, _double, _options, _face)
 entrance_block = _function("gcv_entrance_block", Polygon, Polygon, _double, _options, _face)
+minkowski_sum_many = _function(
+    *("gcv_minkowski_sum_many", _handles, _handles, c_size_t, _options, _handles, _statuses)
+)
+no_fit_polygon_many = _function(
+    *("gcv_no_fit_polygon_many", _handles, _handles, _double, c_size_t, _options),
+    *(_handles, _statuses),
+)
+
+minkowski_sum_region = _function("gcv_minkowski_sum_region", Polygon, Polygon, _options, _region)
+no_fit_region = _function("gcv_no_fit_region", Polygon, Polygon, _double, _options, _region)
+entrance_region = _function("gcv_entrance_region", Polygon, Polygon, _double, _options, _region)
+inner_fit_region = _function("gcv_inner_fit_region", Polygon, Polygon, _double, _options, _region)
+minkowski_sum_region_many = _function(
+    *("gcv_minkowski_sum_region_many", _handles, _handles, c_size_t, _options),
+    *(_handles, _statuses),
+)
+no_fit_region_many = _function(
+    *("gcv_no_fit_region_many", _handles, _handles, _double, c_size_t, _options),
+    *(_handles, _statuses),
+)
 
 outer_face_vertex_count = _function("gcv_outer_face_vertex_count", OuterFace, _size)
 outer_face_vertices = _function("gcv_outer_face_vertices", OuterFace, *_buffer)
 outer_face_exact_vertex_count = _function("gcv_outer_face_exact_vertex_count", OuterFace, _size)
 outer_face_exact_vertex = _function("gcv_outer_face_exact_vertex", OuterFace, c_size_t, *_buffer)
 outer_face_edge_sources = _function("gcv_outer_face_edge_sources", OuterFace, *_buffer)
+outer_face_exact_indices = _function("gcv_outer_face_exact_indices", OuterFace, *_buffer)
 outer_face_error_bound = _function("gcv_outer_face_error_bound", OuterFace, _double)
 outer_face_area = _function("gcv_outer_face_area", OuterFace, _double)
 outer_face_wkt = _function("gcv_outer_face_wkt", OuterFace, *_buffer)
 outer_face_polygon = _function("gcv_outer_face_polygon", OuterFace, _polygon)
 outer_face_stats = _function("gcv_outer_face_stats", OuterFace, POINTER(Stats))
+
+region_parts = _function("gcv_region_parts", Region, *_buffer)
+region_vertices = _function("gcv_region_vertices", Region, *_buffer)
+region_exact_parts = _function("gcv_region_exact_parts", Region, *_buffer)
+region_exact_vertex = _function("gcv_region_exact_vertex", Region, c_size_t, *_buffer)
+region_exact_indices = _function("gcv_region_exact_indices", Region, *_buffer)
+region_edge_sources = _function("gcv_region_edge_sources", Region, *_buffer)
+region_edge_owners = _function("gcv_region_edge_owners", Region, *_buffer)
+region_area = _function("gcv_region_area", Region, _double)
+region_error_bound = _function("gcv_region_error_bound", Region, _double)
+region_wkt = _function("gcv_region_wkt", Region, *_buffer)
+region_fits_wkt = _function("gcv_region_fits_wkt", Region, *_buffer)
+region_polygon = _function("gcv_region_polygon", Region, c_size_t, _polygon)
+region_locate = _function("gcv_region_locate", Region, c_void_p, c_size_t, POINTER(c_int8))
+region_stats = _function("gcv_region_stats", Region, POINTER(Stats))
 
 superset_create = _function("gcv_superset_create", Polygon, Polygon, POINTER(Superset))
 superset_edges = _function("gcv_superset_edges", Superset, *_buffer)

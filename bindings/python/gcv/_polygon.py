@@ -53,7 +53,7 @@ class Polygon(Shape):
     them, each a ring in one of the forms above. A polygon lies inside its outer ring
     and outside its holes. Rings may touch one another in single points, but not cross
     or overlap; holes lie in the outer ring and outside one another. An outer face is
-    that of the outer rings: holes never change it.
+    that of the outer rings: holes never change it. They do change a region.
 
     Any orientation will do, and the first vertex of a ring may be repeated at its end.
     Every check is exact: coordinates are taken for the numbers that they are. Numbers of

@@ -12,7 +12,7 @@ import sys
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ._coordinates import Points, Rings, points, size
-from ._drawing import put_holes, svg
+from ._drawing import plot, svg
 
 if TYPE_CHECKING:
     import numpy
@@ -67,8 +67,7 @@ class Shape:
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
-        rings = self._ring_points()
-        return {"type": "Polygon", "coordinates": tuple((*ring, ring[0]) for ring in rings)}
+        return {"type": "Polygon", "coordinates": rings_as_geometry(self._ring_points())}
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draw the region with matplotlib.
@@ -77,16 +76,7 @@ class Shape:
         ax.fill. Holes stay empty. Returns the axes. Raises ImportError without
         matplotlib.
         """
-        if ax is None:
-            from matplotlib import pyplot
-
-            ax = pyplot.gca()
-            ax.set_aspect("equal")
-        outer, *holes = self._ring_points()
-        (patch,) = ax.fill(*zip(*outer), **{"alpha": 0.5, "edgecolor": "black", **style})
-        if holes:
-            put_holes(patch, [outer, *holes])
-        return ax
+        return plot(self._ring_points(), (), ax, style)
 
     def _repr_svg_(self) -> str:
         return svg([self._ring_points()])
@@ -132,3 +122,8 @@ def array_of(doubles: bytes) -> numpy.typing.NDArray[numpy.float64]:
     except ImportError:
         return points(doubles)  # type: ignore[return-value]
     return numpy.frombuffer(doubles).reshape(-1, 2)
+
+
+def rings_as_geometry(rings: list[Points]) -> tuple[Any, ...]:
+    """The coordinates of a polygon in GeoJSON: closed rings."""
+    return tuple((*ring, ring[0]) for ring in rings)

@@ -90,10 +90,10 @@ def _hole(source: PolygonLike, index: int) -> bytes:
     return rings[0]
 
 
-def iterable(sources: Any, name: str) -> Iterable[Any]:
+def iterable(sources: Any, name: str, what: str = "a sequence of polygons") -> Iterable[Any]:
     """An iterator of the sources, which the argument of that name should be."""
     try:
         iterator: Iterable[Any] = iter(sources)
         return iterator
     except TypeError:
-        raise unfit(name, sources, "a sequence of polygons") from None
+        raise unfit(name, sources, what) from None

@@ -1,18 +1,20 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The functions of the package."""
+"""Outer faces, supersets, and the version of the library."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import byref, c_int32, c_void_p
+from ctypes import byref
 from typing import Any, Literal, NamedTuple, Optional, Union, overload
 
 from . import _ffi
 from ._call import Progress, Rounding, run
-from ._coordinates import pair, size
-from ._outer_face import EdgeSource, OuterFace
-from ._polygon import Polygon, as_polygon
+from ._coordinates import pair
+from ._facts import EdgeSource
+from ._many import each, vertex_pairs
+from ._outer_face import OuterFace
+from ._polygon import as_polygon
 from ._sources import PolygonLike
 
 
@@ -66,15 +68,15 @@ def minkowski_sum(
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.minkowski_sum(a._handle, b._handle, options, face),
-        *(_pairs(a, b), rounding, tolerance, threads, progress),
+        *(vertex_pairs(a, b), rounding, tolerance, threads, progress),
     )
-    return OuterFace(face, {})
+    return OuterFace(face)
 
 
 def no_fit_polygon(
     fixed: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[float],
+    reference: Iterable[float] = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: float = 0.0,
@@ -84,15 +86,15 @@ def no_fit_polygon(
     """The no-fit polygon fixed + (-moving) + reference.
 
     It is where the point reference, (x, y) and tied to moving, may go while the two
-    polygons touch. The reference is added exactly, before rounding. In the sources, a is
-    a number of fixed and b one of moving.
+    polygons touch. The reference is the origin by default, and is added exactly, before
+    rounding. In the sources, a is a number of fixed and b one of moving.
 
     With the point outside the exact ring the two polygons are apart. On the ring they
     touch and do not overlap. Inside the ring they overlap, but not everywhere: in a hole
     of the sum they are apart. In a slit without width and at a single free point, as
     where one polygon just fits the other, they touch and do not overlap. The ring has
     none of these positions, unless a gap connects them with the outside, however narrow,
-    in the floats passed in.
+    in the floats passed in. no_fit_region has all of them.
 
     Options, exactness and errors are those of minkowski_sum; a reference that is not
     finite raises InputError.
@@ -102,15 +104,15 @@ def no_fit_polygon(
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.no_fit_polygon(fixed._handle, moving._handle, point, options, face),
-        *(_pairs(fixed, moving), rounding, tolerance, threads, progress),
+        *(vertex_pairs(fixed, moving), rounding, tolerance, threads, progress),
     )
-    return OuterFace(face, {})
+    return OuterFace(face)
 
 
 def entrance_block(
     a: PolygonLike,
     b: PolygonLike,
-    a0: Iterable[float],
+    a0: Iterable[float] = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: float = 0.0,
@@ -119,8 +121,8 @@ def entrance_block(
 ) -> OuterFace:
     """Shi's entrance block E(A, B) = B + (-A) + a0.
 
-    It is where the point a0, (x, y) and tied to block A, may go while A and B touch.
-    In the sources, a is a number of A and b one of B.
+    It is where the point a0, (x, y) and tied to block A, may go while A and B touch; a0
+    is the origin by default. In the sources, a is a number of A and b one of B.
 
     Options, exactness and errors are those of no_fit_polygon.
     """
@@ -128,9 +130,9 @@ def entrance_block(
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.entrance_block(a._handle, b._handle, point, options, face),
-        *(_pairs(a, b), rounding, tolerance, threads, progress),
+        *(vertex_pairs(a, b), rounding, tolerance, threads, progress),
     )
-    return OuterFace(face, {})
+    return OuterFace(face)
 
 
 @overload
@@ -184,40 +186,67 @@ def minkowski_sum_many(
     Raises as Polygon does, InputError for an option, and ValueError where a and b are
     not equally many.
     """
-    first = [_polygon_or_error(p, f"a[{k}]", return_errors) for k, p in enumerate(a)]
-    second = [_polygon_or_error(p, f"b[{k}]", return_errors) for k, p in enumerate(b)]
-    if len(first) != len(second):
-        raise ValueError(f"a has {len(first)} polygons, b has {len(second)}")
-    results: list[Any] = [p if isinstance(p, _ffi.Error) else q for p, q in zip(first, second)]
-    pairs = [
-        (k, p, q)
-        for k, (p, q) in enumerate(zip(first, second))
-        if isinstance(p, Polygon) and isinstance(q, Polygon)
-    ]
-    count = len(pairs)
-    faces = (c_void_p * count)()
-    statuses = (c_int32 * count)()
+    return each(
+        *(_ffi.minkowski_sum_many, OuterFace, {"a": a, "b": b}),
+        references=None,
+        return_errors=return_errors,
+        options=(rounding, tolerance, threads, progress),
+    )
 
-    def call(options: Any) -> str:
-        handles = _handles([p for _, p, _ in pairs]), _handles([q for _, _, q in pairs])
-        _ffi.minkowski_sum_many(*handles, count, options, faces, statuses)
-        return _ffi.last_error_message()
 
-    vertex_pairs = sum(_pairs(p, q) for _, p, q in pairs)
-    try:
-        message = run(call, vertex_pairs, rounding, tolerance, threads, progress)
-    finally:
-        owned = [OuterFace(_ffi.OuterFace(face), {}) for face in faces]
-    for tried, ((k, _, _), face, status) in enumerate(zip(pairs, owned, statuses)):
-        results[k] = face
-        if status != 0:
-            reason = message.replace(f"pair {tried}:", f"pair {k}:", 1)
-            error = _ffi.error(status, reason or f"pair {k} alone says why it fails")
-            if not return_errors:
-                raise error
-            results[k] = error
-            message = ""
-    return results
+@overload
+def no_fit_polygon_many(
+    fixed: Iterable[PolygonLike],
+    moving: Iterable[PolygonLike],
+    references: Optional[Iterable[Iterable[float]]] = ...,
+    *,
+    rounding: Rounding = ...,
+    tolerance: float = ...,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+    return_errors: Literal[False] = ...,
+) -> list[OuterFace]: ...
+
+
+@overload
+def no_fit_polygon_many(
+    fixed: Iterable[PolygonLike],
+    moving: Iterable[PolygonLike],
+    references: Optional[Iterable[Iterable[float]]] = ...,
+    *,
+    rounding: Rounding = ...,
+    tolerance: float = ...,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+    return_errors: bool,
+) -> list[Union[OuterFace, _ffi.Error]]: ...
+
+
+def no_fit_polygon_many(
+    fixed: Iterable[PolygonLike],
+    moving: Iterable[PolygonLike],
+    references: Optional[Iterable[Iterable[float]]] = None,
+    *,
+    rounding: Rounding = "nearest",
+    tolerance: float = 0.0,
+    threads: int = 1,
+    progress: Optional[Progress] = None,
+    return_errors: bool = False,
+) -> Any:
+    """Many no-fit polygons in one call: the k-th is fixed[k] + (-moving[k]) + references[k].
+
+    Each is what no_fit_polygon gives. references: an array of shape (n, 2), or another
+    sequence of pairs; all are the origin by default.
+
+    Options and errors are those of minkowski_sum_many. A reference that is no pair of
+    numbers, or not finite, fails its pair, as a source that is no polygon does.
+    """
+    return each(
+        *(_ffi.no_fit_polygon_many, OuterFace, {"fixed": fixed, "moving": moving}),
+        references=references,
+        return_errors=return_errors,
+        options=(rounding, tolerance, threads, progress),
+    )
 
 
 def superset(a: PolygonLike, b: PolygonLike) -> list[SupersetEdge]:
@@ -246,23 +275,3 @@ def library_version() -> str:
     """The version of the library that is running, such as "0.1.0"."""
     version: bytes = _ffi.version_string()
     return version.decode()
-
-
-def _polygon_or_error(
-    source: PolygonLike, name: str, return_error: bool
-) -> Union[Polygon, _ffi.Error]:
-    try:
-        return as_polygon(source, name)
-    except _ffi.Error as error:
-        if not return_error:
-            raise
-        return error
-
-
-def _pairs(a: Polygon, b: Polygon) -> int:
-    """The number of pairs of a vertex of a and one of b, of their outer rings."""
-    return size(a._given[0]) * size(b._given[0])
-
-
-def _handles(polygons: list[Polygon]) -> Any:
-    return (c_void_p * len(polygons))(*(polygon._handle.value for polygon in polygons))

@@ -36,6 +36,10 @@ def points(ring: Union[gcv.Polygon, gcv.OuterFace]) -> Points:
     return [(float(x), float(y)) for x, y in ring.vertices]
 
 
+def box(left: float, bottom: float, right: float, top: float) -> Points:
+    return [(left, bottom), (right, bottom), (right, top), (left, top)]
+
+
 def scaled(ring: Points, factor: float) -> gcv.Polygon:
     return gcv.Polygon([(factor * x, factor * y) for x, y in ring])
 

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from fractions import Fraction
 
 import pytest
 from shapes import REPOSITORY
@@ -12,6 +13,17 @@ from shapes import REPOSITORY
 import gcv
 
 FUNCTIONS = {"no_fit": gcv.no_fit_polygon, "entrance": gcv.entrance_block}
+REGIONS = {
+    "no_fit_region": gcv.no_fit_region,
+    "entrance_region": gcv.entrance_region,
+    "inner_fit_region": gcv.inner_fit_region,
+}
+PARTS = {
+    gcv.PART_OUTER: "outer",
+    gcv.PART_HOLE: "hole",
+    gcv.PART_SEGMENT: "segment",
+    gcv.PART_POINT: "point",
+}
 
 
 def cases() -> Iterator[tuple[str, str, str, str]]:
@@ -29,14 +41,23 @@ def cases() -> Iterator[tuple[str, str, str, str]]:
             yield name, a, b, line
 
 
-def ring(face: gcv.OuterFace) -> str:
+def vertices(exact: list[tuple[Fraction, Fraction]]) -> str:
     return ", ".join(
-        f"{x.numerator}/{x.denominator} {y.numerator}/{y.denominator}" for x, y in face.exact
+        f"{x.numerator}/{x.denominator} {y.numerator}/{y.denominator}" for x, y in exact
     )
 
 
+def parts(region: gcv.Region) -> str:
+    exact = region.exact_vertices
+    texts = [
+        f"{PARTS[part.kind]} {vertices(exact[part.start : part.stop])}"
+        for part in region.exact_parts
+    ]
+    return "; ".join(texts) or "empty"
+
+
 def outcome(a: str, b: str, line: str) -> str:
-    """The status and the ring, or the status and the refused text, that the line should have."""
+    """The status, and the ring, the region or the refused text, that the line should have."""
     word, *words = line.split(" ")
     refused = line.split(" ", 2)[2] if word == "refuse" else ""
     try:
@@ -44,9 +65,13 @@ def outcome(a: str, b: str, line: str) -> str:
             gcv.Polygon(refused)
             return "GCV_OK"
         if word == "sum":
-            return f"GCV_OK {ring(gcv.minkowski_sum(a, b))}"
+            return f"GCV_OK {vertices(gcv.minkowski_sum(a, b).exact)}"
+        if word == "sum_region":
+            return f"GCV_OK {parts(gcv.minkowski_sum_region(a, b))}"
         point = float(words[0]), float(words[1])
-        return f"GCV_OK {ring(FUNCTIONS[word](a, b, point))}"
+        if word in REGIONS:
+            return f"GCV_OK {parts(REGIONS[word](a, b, point))}"
+        return f"GCV_OK {vertices(FUNCTIONS[word](a, b, point).exact)}"
     except gcv.Error as error:
         return f"{error.status_name} {refused}".rstrip()
 

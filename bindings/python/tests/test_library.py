@@ -30,7 +30,7 @@ def test_version() -> None:
 
 def test_every_function_is_declared() -> None:
     exported = re.findall(r"\bgcv_\w+(?=;)", (REPOSITORY / "capi/gcv.map").read_text())
-    assert sorted(_ffi.FUNCTIONS) == sorted(exported)
+    assert sorted(_ffi.FUNCTIONS) == sorted(set(exported))
 
 
 def layout(struct: Any) -> list[tuple[str, int, int]]:
@@ -74,6 +74,9 @@ def test_structs_are_those_of_the_compiler(tmp_path: Path) -> None:
     values = {
         **{f"GCV_ROUND_{name.upper()}": value for name, value in _ffi.ROUNDINGS.items()},
         **{name: value for value in range(200) if "UNKNOWN" not in (name := status_name(value))},
+        **{f"GCV_LEAVE_OUT_{name.upper()}": value for name, value in _ffi.LEAVE_OUTS.items()},
+        **{f"GCV_{place.name}": int(place) for place in gcv.Location},
+        **{name: getattr(gcv, name[4:]) for name in constants if "GCV_PART_" in name},
         "GCV_EDGE_TRANSLATED": gcv.EDGE_TRANSLATED,
         "GCV_EDGE_CORNER": gcv.EDGE_CORNER,
         "GCV_EDGE_TRANSLATED_CORNER": gcv.EDGE_TRANSLATED_CORNER,
@@ -137,6 +140,17 @@ import gcv
 face = gcv.minkowski_sum([(0, 0), (1, 0), (0, 1)], "POLYGON ((0 0, 1 0, 0 1))")
 assert face.vertices == [(0.0, 0.0), (2.0, 0.0), (0.0, 2.0)], face.vertices
 assert face.polygon.vertices == face.vertices
+assert face.exact_indices == [0, 1, 2]
+slot = [(0, 0), (6, 0), (6, 6), (4, 6), (4, 2), (2, 2), (2, 6), (0, 6)]
+region = gcv.no_fit_region(slot, [(0, 0), (2, 0), (2, 2), (0, 2)])
+corners = [(-2.0, -2.0), (6.0, -2.0), (6.0, 6.0), (-2.0, 6.0)]
+assert region.vertices == [*corners, (2.0, 2.0), (2.0, 6.0)], region.vertices
+assert region.polygons == [(corners, [])], region.polygons
+assert region.segments == [((2.0, 2.0), (2.0, 6.0))], region.segments
+assert region.points == [] and region.exact_indices == [0, 1, 2, 3, 4, 5]
+assert region.locate([(2, 3), (1, 3)]) == [gcv.BOUNDARY, gcv.INSIDE]
+assert region.locate((9, 9)) is gcv.OUTSIDE
+assert region.polygon(0).vertices == corners
 """
     subprocess.run([sys.executable, "-c", program], check=True)
 
@@ -158,6 +172,9 @@ hole = [(1, 1), (2, 1), (1, 2)]
 polygon = pickle.loads(pickle.dumps(gcv.Polygon(ring)))
 assert (polygon + -polygon).area == 243
 assert [polygon.area, polygon.ring_count, polygon.holes] == [40.5, 1, []]
+face = polygon + polygon
+assert pickle.loads(pickle.dumps(face)) == face
+assert face.stats.parts_dropped == 0
 assert gcv.Polygon(polygon.wkt) == polygon.simplified(0).polygon == polygon
 text = "POLYGON ((0 0, 9 0, 0 9), (1 1, 2 1, 1 2))"
 for call, name in [
@@ -166,6 +183,12 @@ for call, name in [
     (lambda: gcv.Polygon.many([ring]), "gcv_polygon_create_many"),
     (lambda: gcv.Polygon.disc((0, 0), 1, 0.1), "gcv_polygon_create_disc"),
     (lambda: polygon.affine((1, 0, 0, 0, 1, 0)), "gcv_polygon_affine"),
+    (lambda: face.exact_indices, "gcv_outer_face_exact_indices"),
+    (lambda: pickle.loads(pickle.dumps(face)).exact_indices, "gcv_outer_face_exact_indices"),
+    (lambda: gcv.no_fit_polygon_many([ring], [ring]), "gcv_no_fit_polygon_many"),
+    (lambda: gcv.minkowski_sum_region(ring, ring), "gcv_minkowski_sum_region"),
+    (lambda: gcv.no_fit_region(ring, ring, leave_out="fits"), "gcv_no_fit_region"),
+    (lambda: gcv.no_fit_region_many([ring], [ring]), "gcv_no_fit_region_many"),
 ]:
     try:
         call()

@@ -29,6 +29,13 @@ CALLS: list[Callable[[], object]] = [
     lambda: gcv.entrance_block(LARGE, OTHER, (0, 0)),
     lambda: gcv.minkowski_sum_many(MANY, OTHERS),
     lambda: gcv.minkowski_sum_many(MANY, OTHERS, threads=2),
+    lambda: gcv.no_fit_polygon_many(MANY, OTHERS),
+    lambda: gcv.minkowski_sum_region(LARGE, OTHER),
+    lambda: gcv.no_fit_region(LARGE, OTHER, threads=2),
+    lambda: gcv.entrance_region(LARGE, OTHER),
+    lambda: gcv.inner_fit_region(LARGE, OTHER),
+    lambda: gcv.minkowski_sum_region_many(MANY, OTHERS),
+    lambda: gcv.no_fit_region_many(MANY, OTHERS, threads=2),
 ]
 
 

@@ -156,6 +156,72 @@ def test_many_are_what_each_is(pairs: list[tuple[gcv.Polygon, gcv.Polygon]], thr
     assert faces == [a + b for a, b in pairs]
 
 
+@st.composite
+def frames(draw: st.DrawFn) -> gcv.Polygon:
+    """A polygon with a hole of the same form."""
+    polygon = draw(polygons())
+    return gcv.Polygon(polygon, [draw(st.sampled_from([0.5, 0.75])) * polygon.vertices])
+
+
+SMALL = st.builds(
+    lambda polygon, factor: gcv.Polygon(factor * polygon.vertices),
+    polygons(),
+    st.sampled_from([0.03125, 0.25, 0.75]),
+)
+
+
+@given(frames(), SMALL)
+def test_regions_begin_with_the_outer_face(a: gcv.Polygon, b: gcv.Polygon) -> None:
+    region, face = gcv.minkowski_sum_region(a, b), a + b
+    assert region.exact_vertices[: len(face.exact)] == face.exact
+    assert region.polygons[0].outer.tolist() == face.vertices.tolist()
+    assert region.area <= face.area
+    assert len(region) == 1
+
+
+@given(frames(), SMALL, st.lists(st.tuples(COORDINATES, COORDINATES), max_size=5))
+def test_places_without_the_library(
+    a: gcv.Polygon, b: gcv.Polygon, points: list[tuple[float, float]]
+) -> None:
+    for region in (gcv.no_fit_region(a, b), gcv.inner_fit_region(a, b)):
+        duplicate = pickle.loads(pickle.dumps(region))
+        assert duplicate == region
+        points = points + [(x, y) for x, y in region.vertices.tolist()]
+        assert region.locate(points).tolist() == duplicate.locate(points).tolist()
+        for x, y in region.exact_vertices:
+            if Fraction(float(x)) == x and Fraction(float(y)) == y:
+                assert region.locate((float(x), float(y))) is gcv.BOUNDARY
+
+
+@given(frames(), SMALL)
+def test_outward_regions(a: gcv.Polygon, b: gcv.Polygon) -> None:
+    """No corner of a no-fit region is inside the exact one, none of an inner fit outside."""
+    outer = gcv.no_fit_region(a, b, rounding="outward")
+    assert (outer.locate(outer.vertices) <= 0).all()
+    inner = gcv.inner_fit_region(a, b, rounding="outward")
+    assert (inner.locate(inner.vertices) >= 0).all()
+
+
+@given(frames(), SMALL)
+def test_inner_fits_are_free(a: gcv.Polygon, b: gcv.Polygon) -> None:
+    """A part in the container, which is placed by it, does not overlap what is in its hole."""
+    inner = gcv.inner_fit_region(a, b, rounding="outward")
+    solid = gcv.no_fit_region(a.holes[0], b)
+    assert (solid.locate(inner.vertices) <= 0).all()
+
+
+@given(st.lists(st.tuples(frames(), SMALL), max_size=4), st.integers(0, 2))
+def test_many_regions_are_what_each_is(
+    pairs: list[tuple[gcv.Polygon, gcv.Polygon]], threads: int
+) -> None:
+    a, b = [a for a, _ in pairs], [b for _, b in pairs]
+    regions = gcv.minkowski_sum_region_many(a, b, threads=threads)
+    assert regions == [gcv.minkowski_sum_region(p, q) for p, q in pairs]
+    centres = [p.vertices[0] for p in a]
+    regions = gcv.no_fit_region_many(a, b, centres, threads=threads)
+    assert regions == [gcv.no_fit_region(p, q, c) for p, q, c in zip(a, b, centres)]
+
+
 @given(polygons(), polygons())
 def test_pickles(a: gcv.Polygon, b: gcv.Polygon) -> None:
     a_copy, b_copy, face = pickle.loads(pickle.dumps((a, b, a + b)))

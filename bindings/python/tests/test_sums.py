@@ -47,6 +47,7 @@ def test_squares() -> None:
     assert points(gcv.Polygon(face.wkt)) == SQUARE_3
     assert face.polygon.wkt == face.wkt
     assert face.sources == [(gcv.EDGE_TRANSLATED_CORNER, k, k) for k in range(4)]
+    assert face.exact_indices.tolist() == [0, 1, 2, 3]
     assert shapely.geometry.shape(face).equals(shapely.box(0, 0, 3, 3))
 
 
@@ -68,6 +69,8 @@ def test_no_fit() -> None:
     face = gcv.no_fit_polygon(U_SHAPE, SQUARE, (0, 0))
     assert points(face) == U_NO_FIT
     assert face.area == 45
+    assert gcv.no_fit_polygon(U_SHAPE, SQUARE) == face
+    assert gcv.entrance_block(SQUARE, U_SHAPE) == face
     moved = gcv.no_fit_polygon(U_SHAPE, SQUARE, (0.5, -2))
     assert points(moved) == [(x + 0.5, y - 2) for x, y in U_NO_FIT]
 
@@ -133,6 +136,18 @@ def test_pickle() -> None:
     assert duplicate == face
     assert hash(duplicate) == hash(face)
     assert copy.copy(face) is copy.deepcopy(face) is face
+
+
+def test_pickle_of_an_earlier_version() -> None:
+    face = gcv.minkowski_sum(NOTCHED, TRIANGLE)
+    _, (_, known) = face.__reduce__()
+    known = {name: fact for name, fact in known.items() if name != "exact_indices"}
+    known["stats"] = gcv.Stats(*face.stats[:6])
+    earlier = gcv.OuterFace(None, known)
+    for duplicate in (earlier, pickle.loads(pickle.dumps(earlier))):
+        assert facts(duplicate) == facts(face)
+        with pytest.raises(NotImplementedError, match="exact_indices: not in the pickle"):
+            duplicate.exact_indices  # noqa: B018
 
 
 def test_pickle_without_area() -> None:

@@ -1,0 +1,114 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Many pairs of polygons in one call of the library."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from ctypes import c_double, c_int32, c_void_p
+from typing import Any, Callable, NamedTuple, Optional, Union
+
+from . import _ffi
+from ._call import run
+from ._coordinates import pair, size
+from ._outer_face import OuterFace
+from ._polygon import Polygon, as_polygon
+from ._region import Region
+from ._sources import PolygonLike, iterable
+
+_HANDLES = {OuterFace: _ffi.OuterFace, Region: _ffi.Region}
+
+
+class _Pair(NamedTuple):
+    number: int
+    first: Polygon
+    second: Polygon
+    reference: tuple[float, float]
+
+
+def each(
+    function: Callable[..., int],
+    kind: Union[type[OuterFace], type[Region]],
+    sources: dict[str, Iterable[PolygonLike]],
+    *,
+    references: Optional[Iterable[Iterable[float]]],
+    return_errors: bool,
+    options: tuple[Any, ...],
+) -> list[Any]:
+    """What the function gives for each pair: results of that kind, or errors.
+
+    sources are the first and the second polygons by the names of the arguments. The
+    options are those of run.
+    """
+    results, pairs = _read(sources, references, return_errors)
+    count = len(pairs)
+    handles, statuses = (c_void_p * count)(), (c_int32 * count)()
+    arguments = [_handles([p.first for p in pairs]), _handles([p.second for p in pairs])]
+    if "fixed" in sources:
+        arguments.append((c_double * (2 * count))(*(c for p in pairs for c in p.reference)))
+
+    def call(known: Any) -> str:
+        function(*arguments, count, known, handles, statuses)
+        return _ffi.last_error_message()
+
+    try:
+        message = run(call, sum(vertex_pairs(p.first, p.second) for p in pairs), *options)
+    finally:
+        owned = [kind(_HANDLES[kind](handle)) for handle in handles]
+    for tried, (one, result, status) in enumerate(zip(pairs, owned, statuses)):
+        results[one.number] = result
+        if status != 0:
+            reason = message.replace(f"pair {tried}:", f"pair {one.number}:", 1)
+            error = _ffi.error(status, reason or f"pair {one.number} alone says why it fails")
+            if not return_errors:
+                raise error
+            results[one.number] = error
+            message = ""
+    return results
+
+
+def _read(
+    sources: dict[str, Iterable[PolygonLike]],
+    references: Optional[Iterable[Iterable[float]]],
+    return_errors: bool,
+) -> tuple[list[Any], list[_Pair]]:
+    """Room for the results with the errors of sources in it, and the pairs without one."""
+
+    def read(function: Callable[[Any, str], Any], value: Any, name: str) -> Any:
+        try:
+            return function(value, name)
+        except _ffi.Error as error:
+            if not return_errors:
+                raise
+            return error
+
+    (a, first), (b, second) = (
+        (name, [read(as_polygon, p, f"{name}[{k}]") for k, p in enumerate(iterable(some, name))])
+        for name, some in sources.items()
+    )
+    if len(first) != len(second):
+        raise ValueError(f"{a} has {len(first)} polygons, {b} has {len(second)}")
+    points: list[Any] = [(0.0, 0.0)] * len(first)
+    if references is not None:
+        given = iterable(references, "references", "a sequence of pairs of numbers")
+        points = [read(pair, point, f"references[{k}]") for k, point in enumerate(given)]
+    if len(points) != len(first):
+        raise ValueError(f"{a} has {len(first)} polygons, references has {len(points)} points")
+    results: list[Any] = [None] * len(first)
+    pairs = []
+    for k, found in enumerate(zip(first, second, points)):
+        errors = [error for error in found if isinstance(error, _ffi.Error)]
+        if errors:
+            results[k] = errors[0]
+        else:
+            pairs.append(_Pair(k, *found))
+    return results, pairs
+
+
+def vertex_pairs(a: Polygon, b: Polygon) -> int:
+    """The number of pairs of a vertex of a and one of b."""
+    return sum(map(size, a._given)) * sum(map(size, b._given))
+
+
+def _handles(polygons: list[Polygon]) -> Any:
+    return (c_void_p * len(polygons))(*(polygon._handle.value for polygon in polygons))

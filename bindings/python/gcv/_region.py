@@ -1,0 +1,478 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The class of regions.
+
+Whole sums and inner fits: polygons with holes, segments and points, in floats and
+exactly, where points lie in them, and what they look like.
+"""
+
+from __future__ import annotations
+
+import struct
+from collections import Counter
+from collections.abc import Iterable, Iterator
+from ctypes import c_int8
+from enum import IntEnum
+from fractions import Fraction
+from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypeVar, overload
+
+from . import _ffi
+from ._coordinates import Points, Rings, point_or_points, points, size, split
+from ._drawing import plot, svg
+from ._facts import (
+    EdgeSource,
+    Result,
+    Stats,
+    edge_sources,
+    exact_points,
+    indices,
+    of_area,
+    of_elements,
+    of_indices,
+    of_number,
+    of_stats,
+    of_text,
+    text,
+)
+from ._locating import BOUNDARY, INSIDE, OUTSIDE, located
+from ._polygon import Polygon
+from ._shape import array_of, rings_as_geometry
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
+
+PART_OUTER = 1
+"""The outer ring of a polygon, counter-clockwise."""
+PART_HOLE = 2
+"""The ring of a hole in the polygon before it, clockwise."""
+PART_SEGMENT = 3
+"""A segment: one polygon fits the other exactly, and has room along a line only."""
+PART_POINT = 4
+"""A point: one polygon fits the other exactly, and has no room at all."""
+
+_Vertex = TypeVar("_Vertex")
+
+
+class Location(IntEnum):
+    """Where a point lies."""
+
+    INSIDE = INSIDE
+    """In the interior of a polygon of the region."""
+    BOUNDARY = BOUNDARY
+    """On a ring, a segment or a point of it."""
+    OUTSIDE = OUTSIDE
+    """Elsewhere; holes are outside."""
+
+
+class RegionPart(NamedTuple):
+    """One part of a region: a ring, a segment or a point."""
+
+    kind: int
+    """One of the PART_ constants."""
+    polygon: Optional[int]
+    """The number of the polygon, from 0; None for segments and points."""
+    start: int
+    """The index of its first vertex."""
+    stop: int
+    """The index after that of its last vertex."""
+
+
+class RegionPolygon(NamedTuple):
+    """One polygon of a region in floats, each ring an array of shape (n, 2)."""
+
+    outer: numpy.typing.NDArray[numpy.float64]
+    """Counter-clockwise."""
+    holes: list[numpy.typing.NDArray[numpy.float64]]
+    """Clockwise."""
+
+
+class Region(Result):
+    """Polygons with holes, segments and points; it never changes.
+
+    Made by minkowski_sum_region, no_fit_region, entrance_region, inner_fit_region, and
+    the forms of these for many pairs.
+
+    Its parts are rings, segments and points. For each polygon comes its outer ring, then
+    its holes; then come the segments, then the points. Outer rings are counter-clockwise,
+    holes clockwise, both from their lexicographically smallest vertex, not closed. In a
+    segment or a point, one polygon fits the other exactly: it can be there without an
+    overlap, but nowhere beside it.
+
+    There are two regions in one. The exact region has fractions for coordinates and is
+    canonical: the same set has the same parts. The returned region has floats, which are
+    rounded from these, each once. In floats too every ring is simple, no two rings cross,
+    and holes lie in their polygon. What floats cannot show is not there;
+    stats.parts_dropped counts it. Properties without exact in their name are about the
+    returned region.
+
+    len(region) and iteration are those of its polygons. bool(region) is whether it has
+    any part. Two regions are equal when both their exact and their returned parts are. A
+    pickled region carries all that it can be asked.
+    """
+
+    __slots__ = ()
+
+    @property
+    def _doubles(self) -> bytes:
+        doubles: bytes = self._fact("doubles")
+        return doubles
+
+    @property
+    def parts(self) -> list[RegionPart]:
+        """The parts in the order of their vertices.
+
+        The vertices of a part are vertices[part.start:part.stop].
+        """
+        return _parts(self._fact("parts"))
+
+    @property
+    def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
+        """The vertices of all parts, part after part.
+
+        An array of shape (n, 2), in input units, that cannot be written to: every access
+        looks at the same memory, without a copy. Where numpy is not installed, a list of
+        pairs. Segments, points and polygons are in the same form.
+
+        With rounding="nearest" each coordinate is correctly rounded, save those of the
+        vertices that stats.vertices_repaired counts. With "outward" a sum contains the
+        exact one, an inner-fit region lies inside the exact one, and segments and points
+        are exact.
+        """
+        return array_of(self._doubles)
+
+    @property
+    def polygons(self) -> list[RegionPolygon]:
+        """The polygons: for each its outer ring and the list of its holes.
+
+        The rings look at the memory of vertices. polygon(k) and iteration give a Polygon.
+        """
+        return [
+            RegionPolygon(outer, holes) for outer, *holes in _by_polygon(self.parts, self.vertices)
+        ]
+
+    @property
+    def segments(self) -> numpy.typing.NDArray[numpy.float64]:
+        """The segments, an array of shape (n, 2, 2): for each its ends, each an x and a y.
+
+        The ends are in lexicographic order.
+        """
+        ends = self._vertices_of(PART_SEGMENT)
+        if isinstance(ends, list):
+            return list(zip(ends[::2], ends[1::2]))
+        return ends.reshape(-1, 2, 2)
+
+    @property
+    def points(self) -> numpy.typing.NDArray[numpy.float64]:
+        """The single points, an array of shape (n, 2)."""
+        return self._vertices_of(PART_POINT)
+
+    def _vertices_of(self, kind: int) -> numpy.typing.NDArray[numpy.float64]:
+        """The vertices of the parts of one kind, which follow one another."""
+        spans = [(part.start, part.stop) for part in self.parts if part.kind == kind]
+        return self.vertices[spans[0][0] : spans[-1][1]] if spans else self.vertices[:0]
+
+    @property
+    def exact_parts(self) -> list[RegionPart]:
+        """The parts of the exact region, whatever the rounding of the floats.
+
+        The vertices of a part are exact_vertices[part.start:part.stop]. Rings have no
+        collinear vertices and visit no point twice. Segments are maximal, and are cut
+        where they meet a ring; points lie on no ring and on no segment. Polygons, holes,
+        segments and points are each in lexicographic order. With a tolerance, the region
+        is that of the simplified polygons.
+        """
+        return _parts(self._fact("exact_parts"))
+
+    @property
+    def exact_vertices(self) -> list[tuple[Fraction, Fraction]]:
+        """The vertices of all parts of the exact region, part after part."""
+        return exact_points(self._fact("exact"))
+
+    @property
+    def exact_indices(self) -> numpy.typing.NDArray[numpy.int64]:
+        """For each of vertices, the index in exact_vertices of what it stands for.
+
+        edge_sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
+        exact vertices that fell together, the first. For a vertex that rounding made, the
+        start of the exact edge that it lies closest to, measured in floats.
+
+        An array of shape (n,) that cannot be written to; a list without numpy.
+        """
+        return indices(self._fact("exact_indices"))
+
+    @property
+    def edge_sources(self) -> list[EdgeSource]:
+        """Where each edge of the exact region comes from.
+
+        i is for the edge from exact_vertices[i] to the next vertex of its part. The
+        second end of a segment and a point have no edge: kind, a and b are 0 there. Where
+        several edges of the superset overlap, one of them.
+        """
+        return edge_sources(self._fact("sources"))
+
+    @property
+    def edge_owners(self) -> numpy.typing.NDArray[numpy.int64]:
+        """The polygon of a scene that made each edge of the exact region, by its id.
+
+        Regions of two polygons come from no scene: all owners are 0. An array of shape
+        (n,), for the edges of edge_sources; a list without numpy.
+        """
+        return indices(self._fact("owners"))
+
+    @property
+    def area(self) -> float:
+        """The area of the polygons without their holes, in square units.
+
+        Correctly rounded; 0 for an empty region.
+
+        Raises Error where it is larger than any finite float.
+        """
+        return float(self._fact("area"))
+
+    @property
+    def error_bound(self) -> float:
+        """An upper bound on the Hausdorff distance from the exact boundary, in input units.
+
+        The boundary is all rings, segments and points; parts that were dropped count.
+        Certified and rounded up. It is 0 where every exact coordinate is a float. With a
+        tolerance it is a bound between sets, as in OuterFace.
+        """
+        return float(self._fact("error_bound"))
+
+    @property
+    def bounds(self) -> tuple[float, float, float, float]:
+        """The smallest box around all parts: (xmin, ymin, xmax, ymax).
+
+        Four NaNs for a region without parts, as in shapely.
+        """
+        if not self:
+            nan = float("nan")
+            return nan, nan, nan, nan
+        xs, ys = zip(*points(self._doubles))
+        return min(xs), min(ys), max(xs), max(ys)
+
+    @property
+    def wkt(self) -> str:
+        """The polygons as Well-Known Text, which reads back to the same floats.
+
+        Always a MULTIPOLYGON, perhaps an empty one, without the segments and points.
+        """
+        return str(self._fact("wkt"))
+
+    @property
+    def fits_wkt(self) -> str:
+        """The segments and points as Well-Known Text.
+
+        Always a GEOMETRYCOLLECTION, of LINESTRING and POINT, perhaps an empty one.
+        """
+        return str(self._fact("fits_wkt"))
+
+    @property
+    def stats(self) -> Stats:
+        """What the computation took."""
+        stats: Stats = self._fact("stats")
+        return stats
+
+    def polygon(self, number: int) -> Polygon:
+        """One polygon with its holes, for the next sum; made at each call.
+
+        number: from 0 to len(region) - 1. The numbers of its vertices begin at 0, in the
+        order of its rings.
+
+        Raises InputError where there is no such polygon.
+        """
+        polygons = self._polygon_rings()
+        if not 0 <= number < len(polygons):
+            raise _ffi.InputError(
+                _ffi.INVALID_ARGUMENT,
+                f"polygon is {number}, the region has {len(polygons)} polygons",
+            )
+        return Polygon._of(polygons[number])
+
+    def _polygon_rings(self) -> list[Rings]:
+        """The rings of each polygon, as doubles."""
+        parts = self.parts
+        doubles = split(self._doubles, (part.stop - part.start for part in parts))
+        return _grouped(parts, doubles)
+
+    @overload
+    def locate(self, points: tuple[float, float]) -> Location: ...
+
+    @overload
+    def locate(self, points: Iterable[Any]) -> Any: ...
+
+    def locate(self, points: Any) -> Any:
+        """Where a point lies in the exact region, or where each of many points lies.
+
+        points: (x, y), or an array or another buffer of shape (n, 2), or a sequence of
+        pairs. One point gives a Location. Many give an array of n int8: INSIDE 1,
+        BOUNDARY 0, OUTSIDE -1; without numpy, a list of Location.
+
+        Exact, whatever the rounding. The first call makes an index, and then a point takes
+        O(log n) for most regions. In a region that was pickled, each point is compared
+        with every edge.
+
+        Raises InputError for what is no point, and for a NaN or an infinity.
+        """
+        doubles, is_one = point_or_points(points, "points")
+        located = (self._located_by_library if self._handle else self._located_here)(doubles)
+        if is_one:
+            return Location(struct.unpack("b", located)[0])
+        try:
+            import numpy
+        except ImportError:
+            return [Location(place) for (place,) in struct.iter_unpack("b", located)]
+        return numpy.frombuffer(located, "int8").copy()
+
+    def _located_by_library(self, doubles: bytes) -> bytes:
+        located = (c_int8 * size(doubles))()
+        try:
+            _ffi.region_locate(self._handle, doubles, len(located), located)
+        except _ffi.Error as error:
+            raise _of_points(error) from None
+        return bytes(located)
+
+    def _located_here(self, doubles: bytes) -> bytes:
+        parts, vertices = self.exact_parts, self.exact_vertices
+        fits = [vertices[part.start : part.stop] for part in parts if part.polygon is None]
+        rings = [ring for polygon in _by_polygon(parts, vertices) for ring in polygon]
+        return struct.pack(f"{size(doubles)}b", *located(points(doubles), rings, fits))
+
+    @property
+    def __geo_interface__(self) -> dict[str, Any]:
+        """The region in floats as a geometry.
+
+        A MultiPolygon where there are neither segments nor points; otherwise a
+        GeometryCollection of a Polygon, a LineString or a Point for each of its parts.
+        """
+        polygons = [rings_as_geometry(rings) for rings in self._ring_points()]
+        fits = self._fit_points()
+        if not fits:
+            return {"type": "MultiPolygon", "coordinates": tuple(polygons)}
+        geometries = [{"type": "Polygon", "coordinates": rings} for rings in polygons]
+        geometries += [
+            {"type": "LineString", "coordinates": tuple(ends)}
+            if len(ends) == 2
+            else {"type": "Point", "coordinates": ends[0]}
+            for ends in fits
+        ]
+        return {"type": "GeometryCollection", "geometries": geometries}
+
+    def _ring_points(self) -> list[list[Points]]:
+        return _by_polygon(self.parts, points(self._doubles))
+
+    def _fit_points(self) -> list[Points]:
+        vertices = points(self._doubles)
+        return [vertices[part.start : part.stop] for part in self.parts if part.polygon is None]
+
+    def shapely(self) -> Any:
+        """The geometry of shapely that __geo_interface__ describes.
+
+        Raises ImportError without shapely.
+        """
+        from shapely.geometry import shape
+
+        return shape(self)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the region with matplotlib: polygons with empty holes, segments, points.
+
+        ax is the axes to draw on, by default the current ones; style goes to ax.fill.
+        Returns the axes. Raises ImportError without matplotlib.
+        """
+        return plot(self._all_ring_points(), self._fit_points(), ax, style)
+
+    def _repr_svg_(self) -> str:
+        return svg([self._all_ring_points()], self._fit_points())
+
+    def _all_ring_points(self) -> list[Points]:
+        return [ring for rings in self._ring_points() for ring in rings]
+
+    def __len__(self) -> int:
+        """The number of polygons."""
+        return sum(part.kind == PART_OUTER for part in self.parts)
+
+    def __bool__(self) -> bool:
+        """Whether there is any part."""
+        return bool(self._fact("parts"))
+
+    def __iter__(self) -> Iterator[Polygon]:
+        """The polygons with their holes."""
+        return map(Polygon._of, self._polygon_rings())
+
+    # So that a point in a region is not taken for one of its polygons: locate tells that.
+    __contains__ = None
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Region):
+            return NotImplemented
+        names = ("doubles", "parts", "exact", "exact_parts")
+        return all(self._fact(name) == other._fact(name) for name in names)
+
+    def __hash__(self) -> int:
+        return hash((self._doubles, self._fact("parts")))
+
+    def __copy__(self) -> Region:
+        return self
+
+    def __deepcopy__(self, _memo: object) -> Region:
+        return self
+
+    def __repr__(self) -> str:
+        words = ("", "polygon", "hole", "segment", "point")
+        counts = Counter(part.kind for part in self.parts)
+        phrases = [f"{n} {words[kind]}{'s' if n > 1 else ''}" for kind, n in sorted(counts.items())]
+        return f"<gcv.Region of {', '.join(phrases) or 'no parts'}>"
+
+
+def _parts(parts: bytes) -> list[RegionPart]:
+    result, start = [], 0
+    for kind, polygon, count in struct.iter_unpack("=iIQ", parts):
+        number = None if polygon == _ffi.NO_POLYGON else polygon
+        result.append(RegionPart(kind, number, start, start + count))
+        start += count
+    return result
+
+
+def _grouped(parts: list[RegionPart], of_parts: list[_Vertex]) -> list[list[_Vertex]]:
+    """What belongs to the rings of each polygon, of what belongs to each part."""
+    polygons: list[list[_Vertex]] = []
+    for part, of_part in zip(parts, of_parts):
+        if part.kind == PART_OUTER:
+            polygons.append([of_part])
+        elif part.kind == PART_HOLE:
+            polygons[-1].append(of_part)
+    return polygons
+
+
+def _by_polygon(parts: list[RegionPart], vertices: Any) -> list[list[Any]]:
+    """The vertices of the rings of each polygon."""
+    return _grouped(parts, [vertices[part.start : part.stop] for part in parts])
+
+
+def _of_points(error: _ffi.Error) -> _ffi.Error:
+    """The same failure, of the points by the name that they have here."""
+    return type(error)(error.status, str(error).replace("xy:", "points:", 1))
+
+
+def _exact(region: _ffi.Region) -> list[str]:
+    parts = _ffi.elements(_ffi.region_exact_parts, _ffi.RegionPart, region)
+    count = sum(part.vertex_count for part in parts)
+    return [text(_ffi.region_exact_vertex, region, index) for index in range(count)]
+
+
+Region._questions = {
+    "parts": of_elements(_ffi.region_parts, _ffi.RegionPart),
+    "doubles": of_elements(_ffi.region_vertices, _ffi.Point),
+    "exact_parts": of_elements(_ffi.region_exact_parts, _ffi.RegionPart),
+    "exact": _exact,
+    "exact_indices": of_indices(_ffi.region_exact_indices),
+    "sources": of_elements(_ffi.region_edge_sources, _ffi.EdgeSource),
+    "owners": of_indices(_ffi.region_edge_owners),
+    "error_bound": of_number(_ffi.region_error_bound),
+    "area": of_area(_ffi.region_area),
+    "wkt": of_text(_ffi.region_wkt),
+    "fits_wkt": of_text(_ffi.region_fits_wkt),
+    "stats": of_stats(_ffi.region_stats),
+}
