@@ -225,7 +225,7 @@ const ChordTree& Boundary::chord_tree() const {
 }
 
 const Touches& Boundary::touches() const {
-  return touches_.get([this] { return Touches(*this); });
+  return touches_.get([this] { return Touches(vertices, layout); });
 }
 
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
@@ -258,7 +258,8 @@ Boundary Boundary::complement() const {
   result.bounds = bounds;
   result.lexicographic_min = lexicographic_min;
   result.lexicographic_max =
-      lexicographic_max == 0 ? 0 : layout.end(layout.ring_of(lexicographic_max)) - lexicographic_max;
+      lexicographic_max == 0 ? 0
+                             : layout.end(layout.ring_of(lexicographic_max)) - lexicographic_max;
   return result;
 }
 

@@ -47,7 +47,7 @@ class Builder {
   // Distances of the points of a chain from its chord.
   struct Furthest {
     double distance = 0;
-    Index point = 0;          // the furthest one in the middle half of the chain
+    Index point = 0;  // the furthest one in the middle half of the chain
     double of_point = -1;
   };
   [[nodiscard]] Furthest furthest(const Range& range) const {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Bounding volume hierarchy over the edges of a boundary chain, with chords: from the first vertex of
-// the chain below a node to the last one. A chain is split where it is furthest from its chord, so
-// that chains come close to their chords. The sum of two chains is then close to the parallelogram of
-// the chords. That tells what it covers (search/witness.hpp).
+// Bounding volume hierarchy over the edges of a boundary chain, with chords: from the first vertex
+// of the chain below a node to the last one. A chain is split where it is furthest from its chord,
+// so that chains come close to their chords. The sum of two chains is then close to the
+// parallelogram of the chords. That tells what it covers (search/witness.hpp).
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,10 @@ struct ChordTree {
   using Node = std::uint32_t;
   static constexpr Node root = 0;  // of all edges
 
-  // Up to four nodes: the children of another one. No point of the chain below a node is further than
-  // the radius from the chord. Rounding adds up to 24 u times the extents of the boundary. An edge is
-  // its own chord, with the radius 0. A node that holds several rings has an infinite radius.
+  // Up to four nodes: the children of another one. No point of the chain below a node is further
+  // than the radius from the chord. Rounding adds up to 24 u times the extents of the boundary. An
+  // edge is its own chord, with the radius 0. A node that holds several rings has an infinite
+  // radius.
   struct Block {
     BoxBlock<SimdDouble, Box> boxes;
     double x0[width];  // the chords
@@ -52,8 +53,8 @@ struct ChordTree {
   static Node node(std::uint32_t block, std::uint32_t lane) { return width * block + lane; }
 };
 
-// Builds the tree over those edges. O(n log n) for chains that are not split unevenly again and again:
-// no part is less than a quarter of its chain.
+// Builds the tree over those edges. O(n log n) for chains that are not split unevenly again and
+// again: no part is less than a quarter of its chain.
 ChordTree build_chord_tree(const EdgeChain& chain, const RingLayout& layout);
 
 }  // namespace gcv

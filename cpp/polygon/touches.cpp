@@ -4,30 +4,29 @@
 #include <algorithm>
 #include <cmath>
 
-#include "boundary.hpp"
+#include "box.hpp"
 #include "overlapping_pairs.hpp"
 #include "predicates.hpp"
 
 namespace gcv {
 
-Touches::Touches(const Boundary& boundary) {
-  const RingLayout& layout = boundary.layout;
+Touches::Touches(const PointVector& points, const RingLayout& layout) {
   if (layout.ring_count() == 1) {
     return;
   }
-  const Index n = boundary.size();
+  const Index n = layout.size();
   std::vector<Box> boxes(n);
   for (Index i = 0; i < n; ++i) {
-    boxes[i] = box_of(boundary.vertices[i], boundary.vertices[boundary.next(i)]);
+    boxes[i] = box_of(points[i], points[layout.next(i)]);
   }
   // Vertices of other rings on the inside of each edge; vertices with others in the same point.
   std::vector<std::vector<Index>> on_edges(n);
   std::vector<Index> shared;
   Tally tally;
   const auto meet = [&](Index edge, Index vertex) {
-    const Point& p = boundary.vertices[vertex];
-    const Point& from = boundary.vertices[edge];
-    const Point& to = boundary.vertices[boundary.next(edge)];
+    const Point& p = points[vertex];
+    const Point& from = points[edge];
+    const Point& to = points[layout.next(edge)];
     if (p == from) {
       shared.insert(shared.end(), {edge, vertex});
     } else if (!(p == to) && !are_apart(boxes[edge], box_of(p, p)) &&
@@ -40,9 +39,9 @@ Touches::Touches(const Boundary& boundary) {
     const auto j = static_cast<Index>(f);
     if (layout.ring_of(i) != layout.ring_of(j)) {
       meet(i, j);
-      meet(i, boundary.next(j));
+      meet(i, layout.next(j));
       meet(j, i);
-      meet(j, boundary.next(i));
+      meet(j, layout.next(i));
     }
   });
 
@@ -53,7 +52,7 @@ Touches::Touches(const Boundary& boundary) {
   if (vertices.empty()) {
     return;
   }
-  const auto place = [&](Index i) { return boundary.vertices[i]; };
+  const auto place = [&](Index i) { return points[i]; };
   std::sort(vertices.begin(), vertices.end(), [&](Index i, Index j) {
     return place(i) == place(j) ? i < j : lexicographically_less(place(i), place(j));
   });
@@ -67,7 +66,7 @@ Touches::Touches(const Boundary& boundary) {
     Touch& touch = all_.back();
     touch.vertices.push_back(vertex);
     touch.leaving.push_back(vertex);
-    touch.arriving.push_back(boundary.previous(vertex));
+    touch.arriving.push_back(layout.previous(vertex));
     at_[vertex] = static_cast<Index>(all_.size() - 1);
   }
   for (Index edge = 0; edge < n; ++edge) {
@@ -76,7 +75,7 @@ Touches::Touches(const Boundary& boundary) {
       on.push_back(all_[at_[vertex]].vertices.front());
     }
     const Point& from = place(edge);
-    const bool is_forwards = lexicographically_less(from, place(boundary.next(edge)));
+    const bool is_forwards = lexicographically_less(from, place(layout.next(edge)));
     std::sort(on.begin(), on.end(), [&](Index i, Index j) {
       return is_forwards ? lexicographically_less(place(i), place(j))
                          : lexicographically_less(place(j), place(i));

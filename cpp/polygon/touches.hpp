@@ -11,8 +11,6 @@
 
 namespace gcv {
 
-struct Boundary;
-
 // A point in which rings touch. It is a vertex of one of them, at least.
 struct Touch {
   std::vector<Index> vertices;  // in that point
@@ -24,7 +22,7 @@ class Touches {
  public:
   Touches() = default;
   // O(n log n) where the boxes of few edges overlap.
-  explicit Touches(const Boundary& boundary);
+  Touches(const PointVector& points, const RingLayout& layout);
 
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] const std::vector<Touch>& all() const { return all_; }
@@ -42,8 +40,8 @@ class Touches {
   static constexpr Index none = 0xffffffff;
 
   std::vector<Touch> all_;
-  std::vector<Index> at_;                 // of each vertex; empty if there are none
-  std::vector<std::vector<Index>> on_;    // of each edge; likewise
+  std::vector<Index> at_;               // of each vertex; empty if there are none
+  std::vector<std::vector<Index>> on_;  // of each edge; likewise
   std::vector<Index> nowhere_;
 };
 

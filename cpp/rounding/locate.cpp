@@ -161,9 +161,8 @@ RegionLocator::Node RegionLocator::erase(Node tree, std::uint32_t edge) {
   if (node.edge == edge) {
     return merge(node.below, node.above);
   }
-  return is_above(node.edge, edge, false)
-             ? copy(node.edge, node.below, erase(node.above, edge))
-             : copy(node.edge, erase(node.below, edge), node.above);
+  return is_above(node.edge, edge, false) ? copy(node.edge, node.below, erase(node.above, edge))
+                                          : copy(node.edge, erase(node.below, edge), node.above);
 }
 
 int RegionLocator::side_of(const EdgeName& line, const Point& p) const {
@@ -200,10 +199,10 @@ int RegionLocator::locate(const Point& p) const {
   }
   Tally tally;
   const ExactOrder order(*region_.a.ring, *region_.b.ring, region_.shift, tally);
-  const auto after = std::upper_bound(
-      versions_.begin(), versions_.end(), p, [&](const Point& q, const Version& version) {
-        return order.compare(vertices_[version.corner], q) > 0;
-      });
+  const auto after = std::upper_bound(versions_.begin(), versions_.end(), p,
+                                      [&](const Point& q, const Version& version) {
+                                        return order.compare(vertices_[version.corner], q) > 0;
+                                      });
   bool is_inside = false;
   if (after != versions_.begin()) {
     const Version& version = *std::prev(after);

@@ -4,9 +4,9 @@
 //
 // A sweep passes over the corners of all rings in lexicographic order, so that no edge is upright.
 // It keeps the edges that the sweep line crosses in a search tree, from below. The tree is
-// persistent: it copies the path to what changes, and the trees of all places of the sweep line stay
-// (Driscoll, Sarnak, Sleator, Tarjan 1989; Sarnak, Tarjan 1986). A point is located in the tree of
-// the last corner before it: the edge right below it has its solid above, or not.
+// persistent: it copies the path to what changes, and the trees of all places of the sweep line
+// stay (Driscoll, Sarnak, Sleator, Tarjan 1989; Sarnak, Tarjan 1986). A point is located in the
+// tree of the last corner before it: the edge right below it has its solid above, or not.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,7 @@ class RegionLocator {
     std::uint32_t low;  // indices of vertices
     std::uint32_t high;
     EdgeName line;
-    bool line_goes_up;       // does the superset edge go from low to high?
+    bool line_goes_up;  // does the superset edge go from low to high?
     bool solid_is_above;
   };
   // Of a treap. Priorities follow from the numbers of edges.
@@ -53,8 +53,8 @@ class RegionLocator {
   // A segment of the region, by x.
   struct Span {
     std::uint32_t low;
-    double x_low;   // at most its smallest x
-    double x_high;  // at least its largest x
+    double x_low;     // at most its smallest x
+    double x_high;    // at least its largest x
     double furthest;  // the largest x_high of this span and those before it
     EdgeName line;
   };
@@ -67,8 +67,8 @@ class RegionLocator {
   void add_segment(const RegionPart& part);
 
   [[nodiscard]] int side_of(const Edge& edge, const RingVertex& v) const;
-  // Is the edge f above the edge e? Both have a point in common with the sweep line at a corner: that
-  // is the low end of f if it `begins` there, or its high end.
+  // Is the edge f above the edge e? Both have a point in common with the sweep line at a corner:
+  // that is the low end of f if it `begins` there, or its high end.
   [[nodiscard]] bool is_above(std::uint32_t e, std::uint32_t f, bool begins) const;
 
   Node copy(std::uint32_t edge, Node below, Node above);

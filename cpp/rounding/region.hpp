@@ -13,8 +13,8 @@ namespace gcv {
 
 enum class PartKind : std::uint8_t { outer = 1, hole = 2, segment = 3, point = 4 };
 
-// The parts follow one another: each polygon's outer ring and its holes, then segments, then points.
-// Outer rings are counter-clockwise, holes clockwise.
+// The parts follow one another: each polygon's outer ring and its holes, then segments, then
+// points. Outer rings are counter-clockwise, holes clockwise.
 struct RegionPart {
   static constexpr Index no_polygon = 0xffffffff;
 
@@ -38,8 +38,8 @@ struct RoundedRegion {
   std::vector<RegionPart> parts;
   // For each vertex, the exact vertex that it stands for: the first of those that fell together.
   std::vector<std::uint64_t> exact_indices;
-  // The distance of a point of the exact parts from what is returned for them, at most, and the other
-  // way round. A part that is dropped counts with its extents.
+  // The distance of a point of the exact parts from what is returned for them, at most, and the
+  // other way round. A part that is dropped counts with its extents.
   double error_bound = 0;
   double displacement = 0;  // that of a vertex, at most
   std::uint64_t vertices_repaired = 0;

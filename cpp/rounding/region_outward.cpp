@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The method is that of outward.cpp. The exact region is rounded to the nearest doubles, which gives
-// N. Let e1 bound how far vertices move. N is grown by a square of half width d, or shrunk, exactly.
-// The result is rounded to the nearest doubles again, where vertices move by at most e2. If
-// e1 + e2 < d, what was outside stays outside.
+// The method is that of outward.cpp. The exact region is rounded to the nearest doubles, which
+// gives N. Let e1 bound how far vertices move. N is grown by a square of half width d, or shrunk,
+// exactly. The result is rounded to the nearest doubles again, where vertices move by at most e2.
+// If e1 + e2 < d, what was outside stays outside.
 //
 // The error. A point that shrinking takes away is within sqrt(2) d of what was outside before.
 #include "region_outward.hpp"
@@ -44,7 +44,8 @@ std::vector<RoundedPolygon> polygons_of(const RoundedRegion& region) {
     const Index number = region.parts[k].polygon;
     std::vector<PointVector> rings;
     for (; k < region.parts.size() && region.parts[k].polygon == number; ++k) {
-      const auto begin = region.vertices.begin() + static_cast<std::ptrdiff_t>(region.parts[k].first);
+      const auto begin =
+          region.vertices.begin() + static_cast<std::ptrdiff_t>(region.parts[k].first);
       rings.emplace_back(begin, begin + static_cast<std::ptrdiff_t>(region.parts[k].size));
     }
     polygons.push_back(

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "region.hpp"
-#include "task.hpp"
 #include "tally.hpp"
+#include "task.hpp"
 
 namespace gcv {
 

@@ -25,8 +25,8 @@ struct AllEdges {
     for (std::size_t r = 0; r < rings.size(); ++r) {
       for (std::size_t i = 0; i < rings[r].size(); ++i) {
         edges.push_back({r, i});
-        boxes.push_back(widened(
-            box_of(rings[r][i], rings[r][cyclic_next(i, rings[r].size())]), margin));
+        boxes.push_back(
+            widened(box_of(rings[r][i], rings[r][cyclic_next(i, rings[r].size())]), margin));
       }
     }
   }
@@ -143,8 +143,7 @@ bool are_rings_near(std::span<const PointVector> rings, double distance) {
   const AllEdges all(rings, distance);
   return !OverlappingPairs(all.boxes).visit_some(
       std::numeric_limits<std::uint64_t>::max(), [&](std::size_t i, std::size_t j) {
-        return all.edges[i].ring == all.edges[j].ring ||
-               are_apart(all.boxes[i], all.boxes[j]);
+        return all.edges[i].ring == all.edges[j].ring || are_apart(all.boxes[i], all.boxes[j]);
       });
 }
 

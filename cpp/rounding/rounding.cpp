@@ -87,13 +87,12 @@ void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& ver
   const RingVertex& v = ring.vertices[k];
   const Index i = v.is_sum() ? v.i() : v.leaving().i;
   const Index j = v.is_sum() ? v.j() : v.leaving().j;
-  throw Error(
-      Status::range,
-      "the %s coordinate of vertex %zu of the result, %s vertex %u of %s + vertex %u of "
-      "%s, is beyond the largest double",
-      x_is_finite ? "y" : "x", k, v.is_sum() ? "the sum" : "on an edge from the sum",
-      ring.a.ring->corners[i].vertex_number, ring.a.name, ring.b.ring->corners[j].vertex_number,
-      ring.b.name);
+  throw Error(Status::range,
+              "the %s coordinate of vertex %zu of the result, %s vertex %u of %s + vertex %u of "
+              "%s, is beyond the largest double",
+              x_is_finite ? "y" : "x", k, v.is_sum() ? "the sum" : "on an edge from the sum",
+              ring.a.ring->corners[i].vertex_number, ring.a.name,
+              ring.b.ring->corners[j].vertex_number, ring.b.name);
 }
 
 bool has_repetitions(const PointVector& places) {

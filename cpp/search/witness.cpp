@@ -39,16 +39,15 @@ Witness::Witness(const Chord& p, const Chord& q, double slack)
     std::swap(length_u_, length_v_);
     cross = -cross;
   }
-  const double tolerance =
-      (size_of(u_) + size_of(v_)) * slack + std::numeric_limits<double>::min();
+  const double tolerance = (size_of(u_) + size_of(v_)) * slack + std::numeric_limits<double>::min();
   least_u_ = radius_v * length_v_ + tolerance;
   least_v_ = radius_u * length_u_ + tolerance;
   most_u_ = cross - least_u_;
   most_v_ = cross - least_v_;
 }
 
-// The sum of the chains is within both radii of the parallelogram of the chords. A corner of it is a
-// sum of two vertices, which counts as a point.
+// The sum of the chains is within both radii of the parallelogram of the chords. A corner of it is
+// a sum of two vertices, which counts as a point.
 bool Witness::holds(const Chord& p, const Chord& q) const {
   const double radius = p.radius + q.radius;
   const double room_u = radius * length_v_;
@@ -117,11 +116,11 @@ WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
 }
 
 // A point x of the line has the parameter t. Its coordinates in the parallelogram u + v, w x v and
-// u x w, are linear in t. So are its own. That gives a range of parameters for each of the bounds. A
-// bound is crossed at a parameter that is computed with three roundings. For parameters up to 2 they
-// are worth less than 16 uE (|u| + |v|) in the bound. With what a witness allows for the others, twice
-// the slack is enough. Comparisons with what is not a number are false. So such a range is near, and
-// covers nothing.
+// u x w, are linear in t. So are its own. That gives a range of parameters for each of the bounds.
+// A bound is crossed at a parameter that is computed with three roundings. For parameters up to 2
+// they are worth less than 16 uE (|u| + |v|) in the bound. With what a witness allows for the
+// others, twice the slack is enough. Comparisons with what is not a number are false. So such a
+// range is near, and covers nothing.
 WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
   const ChordTree::Block& chords = family.children;
   const std::uint32_t lane = ChordTree::lane_of(family.other);

@@ -5,17 +5,17 @@
 // 1. Let e be an edge of A and f an edge of B that are not parallel. The open parallelogram e + f
 //    lies in the open sum: where e and x - f cross, the interiors of A and x - B meet.
 // 2. Let P be a chain of A with the chord u, within r_a of it, and Q a chain of B with the chord v,
-//    within r_b. A point x of the parallelogram u + v that is further than r_b from the lines of its
-//    sides along v, and further than r_a from those along u, lies in the open sum. For the boundary
-//    of the map (s, t) -> P(s) + Q(t) can be pulled straight to that of the parallelogram without
-//    passing x. So it winds round x, and P crosses x - Q, also after a small move of B. If the
-//    interiors were apart, B could be moved so that P and x - Q do not meet.
+//    within r_b. A point x of the parallelogram u + v that is further than r_b from the lines of
+//    its sides along v, and further than r_a from those along u, lies in the open sum. For the
+//    boundary of the map (s, t) -> P(s) + Q(t) can be pulled straight to that of the parallelogram
+//    without passing x. So it winds round x, and P crosses x - Q, also after a small move of B. If
+//    the interiors were apart, B could be moved so that P and x - Q do not meet.
 //
-// Where rings touch in points of both polygons, the sum of two such points is no part of this. It may
-// be free by itself (sum/cover.hpp).
+// Where rings touch in points of both polygons, the sum of two such points is no part of this. It
+// may be free by itself (sum/cover.hpp).
 //
-// Fact 1 is decided exactly where it has to be (sum/contacts.hpp). Here both are decided in doubles,
-// with a bound for all roundings: what is called covered is covered.
+// Fact 1 is decided exactly where it has to be (sum/contacts.hpp). Here both are decided in
+// doubles, with a bound for all roundings: what is called covered is covered.
 #pragma once
 
 #include <cstddef>
@@ -90,8 +90,8 @@ class Witness {
 };
 
 // Searches both polygons' trees for witnesses of a superset edge, and for the pairs of edges near a
-// place on it. Goes along the edge, from its start. What is ahead waits until it is reached: the sums
-// of pairs of nodes, and witnesses that were met early.
+// place on it. Goes along the edge, from its start. What is ahead waits until it is reached: the
+// sums of pairs of nodes, and witnesses that were met early.
 class WitnessSearch {
  public:
   explicit WitnessSearch(const Operands& operands);
@@ -107,8 +107,8 @@ class WitnessSearch {
     Index i;
     Index j;
   };
-  // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a parameter
-  // from `from` to `to`. These never go back.
+  // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a
+  // parameter from `from` to `to`. These never go back.
   const std::vector<Pair>& pairs_near(double from, double to);
   // The last of these.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
@@ -149,7 +149,8 @@ class WitnessSearch {
   };
   [[nodiscard]] Family family(const Nodes& nodes) const;
 
-  // Where the line is near the sums of the children with the other node, and what these cover of it.
+  // Where the line is near the sums of the children with the other node, and what these cover of
+  // it.
   struct Ranges {
     double near_from[ChordTree::width];
     double near_to[ChordTree::width];

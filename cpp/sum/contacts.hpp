@@ -5,11 +5,11 @@
 //
 // A contact is a pair of features: a vertex or an edge of A, and a vertex or an edge of B, not two
 // edges. Each has a solid cone, an open arc of directions. A small displacement d of x makes the
-// interiors meet at the contact just when d lies in the open sum of both cones. If the cone of A and
-// the turned cone of B overlap, this is every d, and d = 0 too: x lies in the open sum. Else the sum
-// of the cones is the shorter of the arcs that hold both. Two parallel edges that touch have an end
-// of one on the other: these contacts say all. Where rings of a polygon touch, the solid has several
-// cones in one point.
+// interiors meet at the contact just when d lies in the open sum of both cones. If the cone of A
+// and the turned cone of B overlap, this is every d, and d = 0 too: x lies in the open sum. Else
+// the sum of the cones is the shorter of the arcs that hold both. Two parallel edges that touch
+// have an end of one on the other: these contacts say all. Where rings of a polygon touch, the
+// solid has several cones in one point.
 #pragma once
 
 #include <algorithm>

@@ -11,54 +11,6 @@
 
 namespace gcv {
 
-int PlacesOnLine::side_of_sum(const Line& line, const VertexSum& sum) const {
-  if (sum == start_of(line.edge) || sum == end_of(operands_, line.edge)) {
-    ++tally_.filtered;
-    return 0;
-  }
-  return side(line.at, point(sum), tally_);
-}
-
-int PlacesOnLine::side_of(const Line& other, const Place& place) const {
-  if (place.is_sum) {
-    return side_of_sum(other, place.sum);
-  }
-  const int turn = turn_from(other);
-  if (turn == 0) {
-    return side_of_sum(other, start_of(line_.edge));
-  }
-  return turn * compare(place, crossing(other));
-}
-
-int PlacesOnLine::compare(const Place& p, const Place& q) const {
-  if (p.is_sum && q.is_sum) {
-    if (p.sum == q.sum) {
-      return 0;
-    }
-    const SumPoint x = point(p.sum);
-    const SumPoint y = point(q.sum);
-    const SumEdge& s = line_.at;
-    if (s.from.x != s.to.x) {
-      const int order = compare_sums(x.a.x, x.b.x, y.a.x, y.b.x, tally_);
-      return s.from.x < s.to.x ? order : -order;
-    }
-    const int order = compare_sums(x.a.y, x.b.y, y.a.y, y.b.y, tally_);
-    return s.from.y < s.to.y ? order : -order;
-  }
-  if (p.is_sum) {
-    return -compare(q, p);
-  }
-  const Line r = Line::of(operands_, p.crossing);
-  if (q.is_sum) {
-    return -turn_from(r) * side_of_sum(r, q.sum);
-  }
-  if (p.parameter.hi < q.parameter.lo || p.parameter.lo > q.parameter.hi) {
-    ++tally_.filtered;
-    return p.parameter.hi < q.parameter.lo ? -1 : 1;
-  }
-  return compare_crossings(line_.at, r.at, Line::of(operands_, q.crossing).at, tally_);
-}
-
 double EdgeCover::parameter_of(const RelativeLine& line, const Place& place) const {
   double t = 0;
   if (place.is_sum) {
@@ -80,15 +32,15 @@ Interval EdgeCover::parameters_of(const RelativeLine& line, const Place& place) 
   return {t - error, t + error};
 }
 
-EdgeCover::Neighbourhood EdgeCover::neighbourhood(const RelativeLine& line,
-                                                  const Place& place) const {
-  if (place.is_sum) {
-    return {operands_.relative(place.sum.i, place.sum.j), 0};
+Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLine& line,
+                                    const Place& place) const {
+  if (solids_ == Solids::one) {
+    return {false, false};
   }
-  const auto clamped = [](double t) { return std::min(std::max(t, 0.0), 1.0); };
-  const double lo = clamped(place.parameter.lo);
-  const double hi = clamped(place.parameter.hi);
-  return {line.at(lo + (hi - lo) / 2), (hi - lo) * (std::abs(line.dx) + std::abs(line.dy))};
+  const Interval parameters = parameters_of(line, place);
+  const Box around =
+      widened(box_of(line.at(parameters.lo), line.at(parameters.hi)), search_.slack());
+  return containment_at(operands_, places, place, around, tally_);
 }
 
 std::optional<EdgeCover::Sides> EdgeCover::sides_of(const WitnessSearch::Pair& pair) const {
@@ -135,8 +87,8 @@ void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::
     };
     VertexSum from = start_of(edge);
     for (const Index vertex : touching) {
-      const VertexSum to = edge.kind == PairEdge::translated ? VertexSum{vertex, edge.j}
-                                                             : VertexSum{edge.i, vertex};
+      const VertexSum to =
+          edge.kind == PairEdge::translated ? VertexSum{vertex, edge.j} : VertexSum{edge.i, vertex};
       visit_part(from, to);
       from = to;
     }
@@ -162,8 +114,8 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
     if (!sides) {
       continue;
     }
-    const bool holds = std::all_of(
-        std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+    const bool holds =
+        std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
           const int turn = places.turn_from(side.line);
           if (turn == 0) {
             return places.side_of(side.line, places.start()) == side.sign;
@@ -187,99 +139,6 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
   return places.compare(*furthest, places.end()) > 0 ? std::nullopt : furthest;
 }
 
-namespace {
-
-// Tells whether a place of a line, and the germ there, lie inside closed rings of translated edges.
-// Follows the line from the place on, moved to its right by an infinitesimal, and counts the edges
-// that cross it.
-class PointInRings {
- public:
-  PointInRings(const Operands& operands, const PlacesOnLine& places, const Place& place, Tally& tally)
-      : operands_(operands), places_(places), place_(place), tally_(tally) {}
-
-  void pass(const PairEdge& edge) {
-    const VertexSum from = start_of(edge);
-    const VertexSum to = end_of(operands_, edge);
-    const int from_side = side_of(from);
-    const int to_side = side_of(to);
-    if (from_side * to_side > 0) {
-      return;
-    }
-    if (from_side == 0 && to_side == 0) {
-      const int from_order = places_.compare(Place::of(from), place_);
-      const int to_order = places_.compare(Place::of(to), place_);
-      is_on_ring_ = is_on_ring_ || from_order * to_order <= 0;
-      return;
-    }
-    const Place crossing = from_side == 0 ? Place::of(from)
-                           : to_side == 0 ? Place::of(to)
-                                          : places_.crossing(Line::of(operands_, edge));
-    const int order = places_.compare(crossing, place_);
-    is_on_ring_ = is_on_ring_ || order == 0;
-    is_inside_ = is_inside_ != (order > 0 && (from_side < 0 || to_side < 0));
-  }
-
-  [[nodiscard]] bool holds_germ() const { return is_inside_; }
-  [[nodiscard]] bool is_on_ring() const { return is_on_ring_; }
-
- private:
-  [[nodiscard]] int side_of(const VertexSum& sum) const {
-    return side(places_.line().at, {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]},
-                tally_);
-  }
-
-  const Operands& operands_;
-  const PlacesOnLine& places_;
-  const Place& place_;
-  Tally& tally_;
-  bool is_inside_ = false;
-  bool is_on_ring_ = false;
-};
-
-}  // namespace
-
-EdgeCover::Containment EdgeCover::containment_at(const PlacesOnLine& places,
-                                                const RelativeLine& line, const Place& place) {
-  Containment result{false, false};
-  if (solids_ == Solids::one) {
-    return result;
-  }
-  const Boundary& a = operands_.a;
-  const Boundary& b = operands_.b;
-  const auto [near, distance] = neighbourhood(line, place);
-  const Box around = widened(box_of(near, near), distance + search_.slack());
-  const Box box_a = a.chord_tree().blocks.front().boxes.box(0);
-  const Box box_b = b.chord_tree().blocks.front().boxes.box(0);
-  const auto add = [&](const PointInRings& rings, bool inside) {
-    if (rings.holds_germ() == inside) {
-      result.of_germ = true;
-      result.of_place = result.of_place || !rings.is_on_ring();
-    }
-  };
-  for (Index ring = 0; ring < a.layout.ring_count(); ++ring) {
-    const Index first = a.layout.begin(ring);
-    const Point p = a.relative(first);
-    if (!are_apart(around, {p.x + box_b.x0, p.y + box_b.y0, p.x + box_b.x1, p.y + box_b.y1})) {
-      PointInRings rings(operands_, places, place, tally_);
-      for (Index j = 0; j < b.size(); ++j) {
-        rings.pass(operands_.corner(first, j));
-      }
-      add(rings, true);
-    }
-    // The first ring has its solid outside.
-    const Point q = b.relative(0);
-    const Box of_a{box_a.x0 + q.x, box_a.y0 + q.y, box_a.x1 + q.x, box_a.y1 + q.y};
-    if (ring == 0 || !are_apart(around, of_a)) {
-      PointInRings rings(operands_, places, place, tally_);
-      for (Index i = first; i < a.layout.end(ring); ++i) {
-        rings.pass(operands_.translated(i, 0));
-      }
-      add(rings, ring != 0);
-    }
-  }
-  return result;
-}
-
 const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const RelativeLine& line,
                                           const std::vector<Run>& runs, const Place& place) const {
   if (runs.empty()) {
@@ -298,8 +157,7 @@ bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const Vert
     return true;
   }
   const SumPoint point{operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-  return side(places.line().at, point, tally_) == 0 &&
-         places.compare(place, Place::of(sum)) == 0;
+  return side(places.line().at, point, tally_) == 0 && places.compare(place, Place::of(sum)) == 0;
 }
 
 bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place,
@@ -361,10 +219,9 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
       }
     } else if (const std::optional<Sides> sides = sides_of(pair);
                sides && !is_sum_of_touches(places, place, pair)) {
-      result.is_covered =
-          std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
-            return places.side_of(side.line, place) == side.sign;
-          });
+      result.is_covered = std::all_of(
+          std::begin(sides->side), std::end(sides->side),
+          [&](const Side& side) { return places.side_of(side.line, place) == side.sign; });
     }
     if (result.is_covered) {
       break;
@@ -383,8 +240,8 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
   };
   for (const WitnessSearch::Pair& pair : search_.pairs()) {
     if (const std::optional<Sides> sides = sides_of(pair)) {
-      const bool holds = std::all_of(
-          std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+      const bool holds =
+          std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
             const int here = places.side_of(side.line, place);
             return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
           });

@@ -19,65 +19,16 @@
 #include <vector>
 
 #include "contacts.hpp"
-#include "exact_ring.hpp"
+#include "containment.hpp"
 #include "contributing_vertices.hpp"
-#include "place.hpp"
-#include "predicates.hpp"
+#include "places_on_line.hpp"
 #include "walked_lines.hpp"
 #include "witness.hpp"
 
 namespace gcv {
 
-// Places on the line of a superset edge s, compared. All exact.
-class PlacesOnLine {
- public:
-  PlacesOnLine(const Operands& operands, const PairEdge& s, Tally& tally)
-      : operands_(operands), line_(Line::of(operands, s)), tally_(tally) {}
-
-  [[nodiscard]] const Line& line() const { return line_; }
-  [[nodiscard]] Place start() const { return Place::of(start_of(line_.edge)); }
-  [[nodiscard]] Place end() const { return Place::of(end_of(operands_, line_.edge)); }
-
-  // The crossing with another line, which is not parallel.
-  [[nodiscard]] Place crossing(const Line& other) const {
-    return {false, {}, other.edge, crossing_parameter(line_.at, other.at)};
-  }
-
-  // A vertex on the line, as its crossing with that edge if it is no sum of two vertices.
-  [[nodiscard]] Place place(const RingVertex& v, const EdgeName& edge) const {
-    return v.is_sum() ? Place::of({v.i(), v.j()})
-                      : crossing(Line::of(operands_, operands_.named(edge)));
-  }
-
-  // The sign of the turn from e to f: 1 to the left, 0 for opposite directions too.
-  [[nodiscard]] int turn(Rank e, Rank f) const {
-    const Directions& directions = operands_.directions;
-    const Rank angle = directions.angle(e, f);
-    return angle == 0 || angle == directions.half_turn ? 0 : angle < directions.half_turn ? 1 : -1;
-  }
-  // From another line to s.
-  [[nodiscard]] int turn_from(const Line& other) const {
-    return turn(other.edge.rank, line_.edge.rank);
-  }
-
-  // The side of another line on which the place lies: 1 left, -1 right, 0 on it.
-  [[nodiscard]] int side_of(const Line& other, const Place& place) const;
-  // The order of two places along s.
-  [[nodiscard]] int compare(const Place& p, const Place& q) const;
-
- private:
-  [[nodiscard]] SumPoint point(const VertexSum& sum) const {
-    return {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-  }
-  [[nodiscard]] int side_of_sum(const Line& line, const VertexSum& sum) const;
-
-  const Operands& operands_;
-  Line line_;
-  Tally& tally_;
-};
-
-// The solid of B is connected. That of A may be several solids, one for each of its rings. Then one of
-// them may lie inside x - B, or that inside one of them, where their boundaries do not meet.
+// The solid of B is connected. That of A may be several solids, one for each of its rings. Then one
+// of them may lie inside x - B, or that inside one of them, where their boundaries do not meet.
 enum class Solids : std::uint8_t { one, several };
 
 // Walks along superset edges. Takes what it finds to a visitor:
@@ -135,7 +86,7 @@ class EdgeCover {
         continue;
       }
       Surroundings surroundings = look(places, line, *place);
-      const Containment containment = containment_at(places, line, *place);
+      const Containment containment = contained_at(places, line, *place);
       surroundings.is_covered = surroundings.is_covered || containment.of_place;
       const bool is_end = places.compare(*place, places.end()) >= 0;
       const bool leads_on =
@@ -164,8 +115,8 @@ class EdgeCover {
     }
   }
 
-  // The same for all superset edges of the half-plane of directions that begins with that rank. Calls
-  // advance() after each.
+  // The same for all superset edges of the half-plane of directions that begins with that rank.
+  // Calls advance() after each.
   template <class Visitor, class Advance>
   void walk_half_plane(Rank first, Visitor& visitor, Advance advance) {
     WalkedLines lines(operands_, search_.slack(), tally_);
@@ -212,13 +163,8 @@ class EdgeCover {
                            const VertexSum& sum) const;
   // The contacts at a place. Leaves the pairs of edges near it in the search.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
-  // Is one of x - B and a solid of A inside the other?
-  struct Containment {
-    bool of_place;  // for the place x; false if the boundaries touch where it is looked at
-    bool of_germ;
-  };
-  [[nodiscard]] Containment containment_at(const PlacesOnLine& places, const RelativeLine& line,
-                                           const Place& place);
+  [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
+                                         const Place& place) const;
   // What follows the place on s is covered: the place where that ends, or where it may if solids
   // contain one another there; or nothing if s ends first.
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
@@ -230,12 +176,6 @@ class EdgeCover {
   [[nodiscard]] double parameter_of(const RelativeLine& line, const Place& place) const;
   // Parameters that enclose that of a place on s.
   [[nodiscard]] Interval parameters_of(const RelativeLine& line, const Place& place) const;
-  // A point, and how far the place is from it at most, roundings of coordinates aside.
-  struct Neighbourhood {
-    Point point;
-    double distance;
-  };
-  [[nodiscard]] Neighbourhood neighbourhood(const RelativeLine& line, const Place& place) const;
 
   // The sides of the parallelogram of two edges. The inside is on the side `sign` of each.
   struct Side {

@@ -39,8 +39,8 @@ class Finder {
   [[nodiscard]] std::vector<EdgeCover::Run> known_runs(const PlacesOnLine& places) const {
     std::vector<EdgeCover::Run> runs;
     runs_.for_each(places.line().edge, [&](const KnownRuns::Run& run) {
-      runs.push_back({places.place(run.from, run.from.arriving()),
-                      places.place(run.to, run.to.leaving())});
+      runs.push_back(
+          {places.place(run.from, run.from.arriving()), places.place(run.to, run.to.leaving())});
     });
     return runs;
   }
@@ -177,8 +177,8 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
 }
 
-void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Counts& counts,
-                     ExactRegion& region) {
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task,
+                     Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   const Solids solids = operands.a.layout.ring_count() > 1 ? Solids::several : Solids::one;
   const SearchableSuperset superset(operands);
@@ -186,8 +186,8 @@ void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& 
   EdgeCover cover(operands, solids, tally);
   walk_half_plane(operands, cover, finder, task, counts);
   Index number = 0;
-  for (const auto& [outer, holes] : free_polygons(operands, std::move(finder.rings()),
-                                                  solids == Solids::several, tally)) {
+  for (const auto& [outer, holes] :
+       free_polygons(operands, std::move(finder.rings()), solids == Solids::several, tally)) {
     add_part(region, PartKind::outer, number, outer);
     for (const std::vector<RingVertex>& hole : holes) {
       add_part(region, PartKind::hole, number, hole);

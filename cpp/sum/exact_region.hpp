@@ -27,7 +27,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region);
 
 // Adds the parts of the free set, where the solid of A is the outside of a container.
-void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task, Counts& counts,
-                     ExactRegion& region);
+void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task,
+                     Counts& counts, ExactRegion& region);
 
 }  // namespace gcv

@@ -42,8 +42,8 @@ class Fits::LineOrder {
   // On which side of the line of p is that of q, seen in the direction below half a turn?
   [[nodiscard]] int side_of(const ExactSegment& p, const ExactSegment& q) const {
     const PairEdge along = line(p);
-    const int side = gcv::side(coordinates(operands_.a, operands_.b, along),
-                               operands_.start(line(q)), tally_);
+    const int side =
+        gcv::side(coordinates(operands_.a, operands_.b, along), operands_.start(line(q)), tally_);
     return along.rank < operands_.directions.half_turn ? side : -side;
   }
 

@@ -30,9 +30,9 @@ class Fits {
   void add_segment(const EdgeName& edge, const RingVertex& from, const RingVertex& to);
   void add_point(const RingVertex& point) { points_.push_back(order_.placed(point)); }
 
-  // Makes each point and segment the only one of its kind. Segments become maximal, and are cut where
-  // they meet one of these corners of rings. O(k log k + corners) where few corners lie between the
-  // ends of a segment, in lexicographic order.
+  // Makes each point and segment the only one of its kind. Segments become maximal, and are cut
+  // where they meet one of these corners of rings. O(k log k + corners) where few corners lie
+  // between the ends of a segment, in lexicographic order.
   void finish(const std::vector<RingVertex>& corners);
 
   [[nodiscard]] const std::vector<ExactSegment>& segments() const { return segments_; }

@@ -19,7 +19,8 @@ namespace {
 
 using Ring = std::vector<RingVertex>;
 
-// Cuts a ring where it visits a point twice: a corner on another corner, or on the inside of an edge.
+// Cuts a ring where it visits a point twice: a corner on another corner, or on the inside of an
+// edge.
 class Cutter {
  public:
   Cutter(const Operands& operands, const ExactOrder& order, Tally& tally)
@@ -29,15 +30,14 @@ class Cutter {
   void cut(const Ring& ring, std::vector<Ring>& rings) {
     std::vector<Visit> open;
     for (const Visit& visit : visits_of(ring)) {
-      const auto earlier = std::find_if(open.begin(), open.end(), [&](const Visit& other) {
-        return other.point == visit.point;
-      });
+      const auto earlier = std::find_if(
+          open.begin(), open.end(), [&](const Visit& other) { return other.point == visit.point; });
       if (earlier == open.end()) {
         open.push_back(visit);
         continue;
       }
-      // What has closed ends with the edge that arrives now. The rest leaves by the edge that leaves
-      // now.
+      // What has closed ends with the edge that arrives now. The rest leaves by the edge that
+      // leaves now.
       std::vector<Visit> closed(earlier, open.end());
       closed.front().arriving = visit.arriving;
       add(closed, rings);
@@ -62,9 +62,8 @@ class Cutter {
     Ring ring;
     for (const auto& [corner, point, arriving, leaving] : visits) {
       if (rank(arriving) != rank(leaving)) {
-        ring.push_back(corner.is_sum()
-                           ? RingVertex::sum(corner.i(), corner.j(), arriving, leaving)
-                           : RingVertex::crossing(arriving, leaving));
+        ring.push_back(corner.is_sum() ? RingVertex::sum(corner.i(), corner.j(), arriving, leaving)
+                                       : RingVertex::crossing(arriving, leaving));
       }
     }
     if (ring.size() >= 3) {
@@ -112,9 +111,8 @@ class Cutter {
       const RingVertex& corner = ring[k];
       visits.push_back({corner, points[k], corner.arriving(), corner.leaving()});
       const int way = order_.compare(placed[k], placed[cyclic_next(k, n)]);
-      std::sort(on_edges[k].begin(), on_edges[k].end(), [&](Index p, Index q) {
-        return order_.compare(placed[p], placed[q]) * way > 0;
-      });
+      std::sort(on_edges[k].begin(), on_edges[k].end(),
+                [&](Index p, Index q) { return order_.compare(placed[p], placed[q]) * way > 0; });
       for (const Index on : on_edges[k]) {
         if (visits.back().point != points[on]) {
           visits.push_back({ring[on], points[on], corner.leaving(), corner.leaving()});
@@ -145,8 +143,8 @@ Ring turned_round(const Ring& ring) {
   return turned;
 }
 
-// 1 if the point lies inside the ring, 0 on it, -1 outside. Counts the edges above the point. Points
-// are compared in lexicographic order, so that no edge is upright.
+// 1 if the point lies inside the ring, 0 on it, -1 outside. Counts the edges above the point.
+// Points are compared in lexicographic order, so that no edge is upright.
 int locate(const Operands& operands, const ExactOrder& order, const Ring& ring,
            const RingVertex& point, Tally& tally) {
   bool is_inside = false;

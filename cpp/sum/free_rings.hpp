@@ -18,8 +18,8 @@ struct FreePolygon {
   std::vector<std::vector<RingVertex>> holes;
 };
 
-// The polygons of rings with the free side on the right. In canonical order. Rings are cut where they
-// visit a point twice, if `cut`.
+// The polygons of rings with the free side on the right. In canonical order. Rings are cut where
+// they visit a point twice, if `cut`.
 std::vector<FreePolygon> free_polygons(const Operands& operands,
                                        std::vector<std::vector<RingVertex>> rings, bool cut,
                                        Tally& tally);

@@ -11,8 +11,8 @@
 
 namespace gcv {
 
-// The edges of rings that are known, by the names of the superset edges that they lie on. A hash table
-// with linear probing.
+// The edges of rings that are known, by the names of the superset edges that they lie on. A hash
+// table with linear probing.
 class KnownRuns {
  public:
   // Along the superset edge that leaves `from`.

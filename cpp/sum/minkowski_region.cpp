@@ -66,8 +66,7 @@ RegionOperand simplified(const RegionOperand& operand, const SumOptions& options
     const Simplified near = simplified_for_sum(outer_ring(operand.polygon), options);
     return {std::make_shared<const Polygon>(*near.ring), operand.name, near.error_bound};
   }
-  const SimplifiedPolygon near =
-      simplify(operand.polygon, options.tolerance / 2, options.rounding);
+  const SimplifiedPolygon near = simplify(operand.polygon, options.tolerance / 2, options.rounding);
   return {near.polygon, operand.name, near.error_bound};
 }
 

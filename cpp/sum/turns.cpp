@@ -13,7 +13,8 @@ KnownTurns::KnownTurns(const Operands& operands, Tally& tally)
 
 KnownTurns::Key KnownTurns::key(const RingVertex& vertex) const {
   const RoundedVertex p = rounded_vertex(operands_.a, operands_.b, vertex, {0, 0}, tally_);
-  return {std::bit_cast<std::uint64_t>(p.x.value), std::bit_cast<std::uint64_t>(p.y.value),
+  return {std::bit_cast<std::uint64_t>(p.x.value),
+          std::bit_cast<std::uint64_t>(p.y.value),
           {operands_.named(vertex.arriving()), operands_.named(vertex.leaving())}};
 }
 

@@ -18,8 +18,8 @@ class WalkedLines {
   // `slack`: how far coordinates of points in relative coordinates may be off.
   WalkedLines(const Operands& operands, double slack, Tally& tally);
 
-  // Do others that were walked hold the whole edge? Takes it for walked. Where no other edge has its
-  // direction it does not ask.
+  // Do others that were walked hold the whole edge? Takes it for walked. Where no other edge has
+  // its direction it does not ask.
   bool hold(const PairEdge& s);
 
  private:
@@ -30,8 +30,8 @@ class WalkedLines {
     VertexSum to;
   };
 
-  // The place of the line of the edge, in units of several times the slack; the same for all edges on
-  // it, or next to that.
+  // The place of the line of the edge, in units of several times the slack; the same for all edges
+  // on it, or next to that.
   [[nodiscard]] std::int64_t place_of(const PairEdge& s) const;
   bool is_on_line(const PairEdge& s, const PairEdge& line);
   // The sign of the way from p to q along the edge.

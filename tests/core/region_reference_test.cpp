@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Regions against their definition: rings, segments and points as text, on random cases full of ties.
-// The reference knows nothing of supersets, witnesses or walks.
+// Regions against their definition: rings, segments and points as text, on random cases full of
+// ties. The reference knows nothing of supersets, witnesses or walks.
+#include "region_reference.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include <string>
 
 #include "region_families.hpp"
-#include "region_reference.hpp"
 #include "regions.hpp"
 
 namespace gcv {
@@ -46,8 +47,9 @@ TEST_P(Regions, AreThoseOfTheDefinition) {
   std::printf("%d cases, seed 1: %zu holes, %zu fits\n", count, holes, fits);
 }
 
-INSTANTIATE_TEST_SUITE_P(Families, Regions, ::testing::ValuesIn(test::region_families().begin(),
-                                                                test::region_families().end()),
+INSTANTIATE_TEST_SUITE_P(Families, Regions,
+                         ::testing::ValuesIn(test::region_families().begin(),
+                                             test::region_families().end()),
                          [](const auto& family) {
                            std::string name = family.param.name;
                            std::replace(name.begin(), name.end(), ' ', '_');

@@ -64,8 +64,8 @@ inline std::string text_of(const ExactRegion& region) {
   return text;
 }
 
-// The polygons of the rounded region, each checked as polygons of users are. Throws Error where one is
-// not valid.
+// The polygons of the rounded region, each checked as polygons of users are. Throws Error where one
+// is not valid.
 inline std::vector<Polygon> rounded_polygons(const RoundedRegion& region) {
   std::vector<Polygon> polygons;
   for (std::size_t k = 0; k < region.parts.size() && region.parts[k].is_ring();) {

@@ -85,16 +85,16 @@ TEST(Snap, KeepsEachPlaceOnce) {
   const Point p{0, 0};
   const Point q{1, 0};
   const Point r{1, 1};
-  const SnappedRing same = snap({p, q, r});
+  const SnappedRing same = snap(PointVector{p, q, r});
   EXPECT_EQ(same.vertices, (PointVector{p, q, r}));
   EXPECT_EQ(same.source, (std::vector<std::size_t>{0, 1, 2}));
   // Of equal places in a row, also round the end, the last.
-  const SnappedRing fallen = snap({p, q, q, q, r, r, p, p});
+  const SnappedRing fallen = snap(PointVector{p, q, q, q, r, r, p, p});
   EXPECT_EQ(fallen.vertices, (PointVector{p, q, r}));
   EXPECT_EQ(fallen.source, (std::vector<std::size_t>{0, 3, 5}));
-  EXPECT_TRUE(snap({p, p, p}).vertices.empty());
+  EXPECT_TRUE(snap(PointVector{p, p, p}).vertices.empty());
   // Places that return stay.
-  EXPECT_EQ(snap({p, q, p, r}).vertices.size(), 4U);
+  EXPECT_EQ(snap(PointVector{p, q, p, r}).vertices.size(), 4U);
 }
 
 TEST(Repair, LeavesSimpleRingsAlone) {

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "region_rings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "box.hpp"
+#include "cycle.hpp"
+#include "error.hpp"
+#include "polygon.hpp"
+#include "predicates.hpp"
+#include "repair.hpp"
+#include "ring_conflicts.hpp"
+#include "rounding.hpp"
+#include "simplicity.hpp"
+#include "snap_rounding.hpp"
+#include "units.hpp"
+#include "vector.hpp"
+
+namespace gcv {
+
+namespace {
+
+double extents_of(std::span<const Point> points) {
+  const Box box = box_of(points);
+  return length_bound(box.x1 - box.x0, box.y1 - box.y0);
+}
+
+PointVector reversed(PointVector ring) {
+  std::reverse(ring.begin(), ring.end());
+  return ring;
+}
+
+class Validator {
+ public:
+  Validator(RegionRings& rings, Tally& tally) : rings_(rings), tally_(tally) {}
+
+  void run() {
+    for (RoundingRing& ring : rings_.rings) {
+      if (!ring.is_fixed) {
+        widen(ring);
+      }
+    }
+    if (!are_apart_rings() && !separate_rings()) {
+      drop_conflicting();
+    }
+    drop_misplaced();
+  }
+
+ private:
+  [[nodiscard]] PointVector ring_of(const RoundingRing& ring) const {
+    return ring.replaced ? *ring.replaced : snap(rings_.places_of(*ring.part)).vertices;
+  }
+  // Of the rings that are left.
+  [[nodiscard]] std::vector<PointVector> rings_left(std::vector<RoundingRing*>& left) {
+    std::vector<PointVector> points;
+    for (RoundingRing& ring : rings_.rings) {
+      if (!ring.is_dropped) {
+        left.push_back(&ring);
+        points.push_back(ring_of(ring));
+      }
+    }
+    return points;
+  }
+  [[nodiscard]] static bool is_turned_right(const RoundingRing& ring, const PointVector& points) {
+    return is_counter_clockwise(points) == (ring.part->kind == PartKind::outer);
+  }
+
+  // Do rings neither cross themselves nor each other, and turn as they are to?
+  bool are_apart_rings() {
+    std::vector<RoundingRing*> left;
+    const std::vector<PointVector> points = rings_left(left);
+    for (std::size_t k = 0; k < left.size(); ++k) {
+      if (!is_turned_right(*left[k], points[k])) {
+        return false;
+      }
+    }
+    return find_ring_conflicts(points).empty();
+  }
+
+  // A ring that has become a segment, or has turned over. Moves one of its vertices by a unit in
+  // the last place, so that it has an area. Drops the ring if that cannot be.
+  void widen(RoundingRing& ring) {
+    const RegionPart& part = *ring.part;
+    SnappedRing snapped = snap(rings_.places_of(part));
+    const std::size_t distinct = snapped.vertices.size();
+    if (distinct >= 3 &&
+        (find_conflict(snapped.vertices) || is_turned_right(ring, snapped.vertices))) {
+      return;
+    }
+    const int wanted = part.kind == PartKind::outer ? 1 : -1;
+    const std::size_t n = part.size;
+    for (std::size_t k = 0; k < n && distinct >= 2; ++k) {
+      const Point& before = rings_.places[part.first + cyclic_previous(k, n)];
+      const Point& after = rings_.places[part.first + cyclic_next(k, n)];
+      Point& place = rings_.places[part.first + k];
+      const Point old = place;
+      for (const Point& other : neighbours(old)) {
+        place = other;
+        const PointVector points = snap(rings_.places_of(part)).vertices;
+        if (orientation(before, other, after, tally_) == wanted && points.size() >= 3 &&
+            !find_conflict(points) && is_turned_right(ring, points)) {
+          note_move(part.first + k);
+          return;
+        }
+      }
+      place = old;
+    }
+    drop(ring);
+  }
+
+  // The doubles next to a point.
+  static std::vector<Point> neighbours(const Point& p) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    const auto next = [](double x, int way) {
+      return way == 0 ? x : std::nextafter(x, way * infinity);
+    };
+    std::vector<Point> points;
+    for (const auto& [x, y] :
+         {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}}) {
+      const Point q{next(p.x, x) + 0.0, next(p.y, y) + 0.0};
+      if (std::isfinite(q.x) && std::isfinite(q.y)) {
+        points.push_back(q);
+      }
+    }
+    return points;
+  }
+
+  void note_move(std::size_t k) {
+    const Point& p = rings_.places[k];
+    const Point& q = rings_.nearest[k];
+    if (!(p == q)) {
+      ++rings_.repaired;
+      rings_.furthest = std::max(rings_.furthest, length_bound(p.x - q.x, p.y - q.y));
+    }
+  }
+
+  bool separate_rings() {
+    std::vector<RingRange> ranges;
+    for (const RoundingRing& ring : rings_.rings) {
+      if (ring.replaced) {
+        return false;
+      }
+      if (!ring.is_dropped) {
+        ranges.push_back(
+            {ring.part->first, ring.part->size, ring.part->kind == PartKind::outer, ring.is_fixed});
+      }
+    }
+    std::optional<PointVector> separated = separate(rings_.region, ranges, rings_.places, tally_);
+    if (!separated) {
+      return false;
+    }
+    rings_.places = std::move(*separated);
+    for (const RingRange& range : ranges) {
+      for (std::size_t k = range.first; !range.is_fixed && k < range.first + range.size; ++k) {
+        note_move(k);
+      }
+    }
+    return true;
+  }
+
+  void drop(RoundingRing& ring) {
+    ring.is_dropped = true;
+    ++rings_.dropped;
+    rings_.lost = std::max(rings_.lost, extents_of(rings_.places_of(*ring.part)));
+    if (ring.part->kind == PartKind::outer) {
+      for (RoundingRing& hole : rings_.rings) {
+        if (!hole.is_dropped && hole.part->polygon == ring.part->polygon) {
+          drop(hole);
+        }
+      }
+    }
+  }
+
+  // Drops the smallest rings that are in the way, until none is. A ring that crosses itself is
+  // replaced by its largest part first.
+  void drop_conflicting() {
+    for (RoundingRing& ring : rings_.rings) {
+      if (!ring.is_fixed && !ring.is_dropped) {
+        replace_crossing(ring);
+      }
+    }
+    while (true) {
+      std::vector<RoundingRing*> left;
+      const std::vector<PointVector> points = rings_left(left);
+      const std::vector<RingConflict> conflicts = find_ring_conflicts(points);
+      RoundingRing* smallest = nullptr;
+      double least = 0;
+      for (const auto& [e, f] : conflicts) {
+        for (const std::size_t r : {e.ring, f.ring}) {
+          const double extents = extents_of(points[r]);
+          if (!left[r]->is_fixed && (smallest == nullptr || extents < least)) {
+            smallest = left[r];
+            least = extents;
+          }
+        }
+      }
+      if (smallest == nullptr) {
+        return;
+      }
+      drop(*smallest);
+    }
+  }
+
+  void replace_crossing(RoundingRing& ring) {
+    const PointVector points = snap(rings_.places_of(*ring.part)).vertices;
+    if (!find_conflict(points)) {
+      if (!is_turned_right(ring, points)) {
+        drop(ring);
+      }
+      return;
+    }
+    const std::optional<SnapRoundedRing> snapped = snap_round(points, tally_);
+    if (!snapped) {
+      drop(ring);
+      return;
+    }
+    ring.replaced = ring_through(ring.part->kind == PartKind::outer ? snapped->vertices
+                                                                    : reversed(snapped->vertices));
+    rings_.displaced = std::max(rings_.displaced, snapped->error_bound);
+    rings_.repaired += ring.replaced->size();
+  }
+
+  // Rings that do not cross can have come to lie on the wrong side of each other, where they are
+  // thin and close together.
+  void drop_misplaced() {
+    std::vector<RoundingRing*> left;
+    if (!are_rings_near(rings_left(left), 2 * sum_bound(rings_.error_bound, rings_.furthest))) {
+      return;
+    }
+    for (RoundingRing* const outer : left) {
+      if (outer->part->kind == PartKind::outer && !outer->is_dropped) {
+        drop_misplaced_holes(*outer);
+      }
+    }
+  }
+
+  void drop_misplaced_holes(const RoundingRing& outer) {
+    std::vector<RoundingRing*> holes;
+    for (RoundingRing& ring : rings_.rings) {
+      if (!ring.is_dropped && ring.part->kind == PartKind::hole &&
+          ring.part->polygon == outer.part->polygon) {
+        holes.push_back(&ring);
+      }
+    }
+    if (holes.empty() || is_polygon(outer, holes)) {
+      return;
+    }
+    std::vector<RoundingRing*> good;
+    for (RoundingRing* const hole : holes) {
+      good.push_back(hole);
+      if (!is_polygon(outer, good)) {
+        good.pop_back();
+        drop(*hole);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_polygon(const RoundingRing& outer,
+                                const std::vector<RoundingRing*>& holes) const {
+    std::vector<PointVector> boundaries{ring_of(outer)};
+    for (const RoundingRing* const hole : holes) {
+      boundaries.push_back(ring_of(*hole));
+    }
+    try {
+      static_cast<void>(make_polygon(std::move(boundaries), "polygon"));
+      return true;
+    } catch (const Error& error) {
+      if (error.status() == Status::not_simple || error.status() == Status::degenerate) {
+        return false;
+      }
+      throw;
+    }
+  }
+
+  RegionRings& rings_;
+  Tally& tally_;
+};
+
+}  // namespace
+
+void make_valid(RegionRings& rings, Tally& tally) { Validator(rings, tally).run(); }
+
+}  // namespace gcv

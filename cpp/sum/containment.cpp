@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "containment.hpp"
+
+#include "box.hpp"
+#include "predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+// Tells whether a place of a line, and the germ there, lie inside closed rings of translated edges.
+// Follows the line from the place on, moved to its right by an infinitesimal, and counts the edges
+// that cross it.
+class PointInRings {
+ public:
+  PointInRings(const Operands& operands, const PlacesOnLine& places, const Place& place,
+               Tally& tally)
+      : operands_(operands), places_(places), place_(place), tally_(tally) {}
+
+  void pass(const PairEdge& edge) {
+    const VertexSum from = start_of(edge);
+    const VertexSum to = end_of(operands_, edge);
+    const int from_side = side_of(from);
+    const int to_side = side_of(to);
+    if (from_side * to_side > 0) {
+      return;
+    }
+    if (from_side == 0 && to_side == 0) {
+      const int from_order = places_.compare(Place::of(from), place_);
+      const int to_order = places_.compare(Place::of(to), place_);
+      is_on_ring_ = is_on_ring_ || from_order * to_order <= 0;
+      return;
+    }
+    const Place crossing = from_side == 0 ? Place::of(from)
+                           : to_side == 0 ? Place::of(to)
+                                          : places_.crossing(Line::of(operands_, edge));
+    const int order = places_.compare(crossing, place_);
+    is_on_ring_ = is_on_ring_ || order == 0;
+    is_inside_ = is_inside_ != (order > 0 && (from_side < 0 || to_side < 0));
+  }
+
+  [[nodiscard]] bool holds_germ() const { return is_inside_; }
+  [[nodiscard]] bool is_on_ring() const { return is_on_ring_; }
+
+ private:
+  [[nodiscard]] int side_of(const VertexSum& sum) const {
+    return side(places_.line().at, {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]},
+                tally_);
+  }
+
+  const Operands& operands_;
+  const PlacesOnLine& places_;
+  const Place& place_;
+  Tally& tally_;
+  bool is_inside_ = false;
+  bool is_on_ring_ = false;
+};
+
+}  // namespace
+
+Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
+                           const Box& around, Tally& tally) {
+  Containment result{false, false};
+  const Boundary& a = operands.a;
+  const Boundary& b = operands.b;
+  const Box box_a = a.chord_tree().blocks.front().boxes.box(0);
+  const Box box_b = b.chord_tree().blocks.front().boxes.box(0);
+  const auto add = [&](const PointInRings& rings, bool inside) {
+    if (rings.holds_germ() == inside) {
+      result.of_germ = true;
+      result.of_place = result.of_place || !rings.is_on_ring();
+    }
+  };
+  for (Index ring = 0; ring < a.layout.ring_count(); ++ring) {
+    const Index first = a.layout.begin(ring);
+    const Point p = a.relative(first);
+    if (!are_apart(around, {p.x + box_b.x0, p.y + box_b.y0, p.x + box_b.x1, p.y + box_b.y1})) {
+      PointInRings rings(operands, places, place, tally);
+      for (Index j = 0; j < b.size(); ++j) {
+        rings.pass(operands.corner(first, j));
+      }
+      add(rings, true);
+    }
+    // The first ring has its solid outside.
+    const Point q = b.relative(0);
+    const Box of_a{box_a.x0 + q.x, box_a.y0 + q.y, box_a.x1 + q.x, box_a.y1 + q.y};
+    if (ring == 0 || !are_apart(around, of_a)) {
+      PointInRings rings(operands, places, place, tally);
+      for (Index i = first; i < a.layout.end(ring); ++i) {
+        rings.pass(operands.translated(i, 0));
+      }
+      add(rings, ring != 0);
+    }
+  }
+  return result;
+}
+
+}  // namespace gcv

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "places_on_line.hpp"
+
+namespace gcv {
+
+int PlacesOnLine::side_of_sum(const Line& line, const VertexSum& sum) const {
+  if (sum == start_of(line.edge) || sum == end_of(operands_, line.edge)) {
+    ++tally_.filtered;
+    return 0;
+  }
+  return side(line.at, point(sum), tally_);
+}
+
+int PlacesOnLine::side_of(const Line& other, const Place& place) const {
+  if (place.is_sum) {
+    return side_of_sum(other, place.sum);
+  }
+  const int turn = turn_from(other);
+  if (turn == 0) {
+    return side_of_sum(other, start_of(line_.edge));
+  }
+  return turn * compare(place, crossing(other));
+}
+
+int PlacesOnLine::compare(const Place& p, const Place& q) const {
+  if (p.is_sum && q.is_sum) {
+    if (p.sum == q.sum) {
+      return 0;
+    }
+    const SumPoint x = point(p.sum);
+    const SumPoint y = point(q.sum);
+    const SumEdge& s = line_.at;
+    if (s.from.x != s.to.x) {
+      const int order = compare_sums(x.a.x, x.b.x, y.a.x, y.b.x, tally_);
+      return s.from.x < s.to.x ? order : -order;
+    }
+    const int order = compare_sums(x.a.y, x.b.y, y.a.y, y.b.y, tally_);
+    return s.from.y < s.to.y ? order : -order;
+  }
+  if (p.is_sum) {
+    return -compare(q, p);
+  }
+  const Line r = Line::of(operands_, p.crossing);
+  if (q.is_sum) {
+    return -turn_from(r) * side_of_sum(r, q.sum);
+  }
+  if (p.parameter.hi < q.parameter.lo || p.parameter.lo > q.parameter.hi) {
+    ++tally_.filtered;
+    return p.parameter.hi < q.parameter.lo ? -1 : 1;
+  }
+  return compare_crossings(line_.at, r.at, Line::of(operands_, q.crossing).at, tally_);
+}
+
+}  // namespace gcv
