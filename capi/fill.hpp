@@ -15,7 +15,8 @@
 namespace gcv::capi {
 
 // Fills the parameter `out`, whose name is `name`, with `count` elements. Follows the buffer
-// contract of gcv.h. Calls write(out) only if the elements fit.
+// contract of gcv.h. Calls write(out) only if there are elements and
+// they fit.
 template <class Element, class Write>
 void fill(std::size_t count, const char* elements, const char* name, Element* out,
           std::size_t capacity, std::size_t* required, Write write) {
@@ -25,7 +26,7 @@ void fill(std::size_t count, const char* elements, const char* name, Element* ou
                 elements);
   }
   *required = count;
-  if (out == nullptr) {
+  if (out == nullptr || count == 0) {
     return;
   }
   if (capacity < count) {

@@ -10,6 +10,8 @@
 
 #include "gcv/gcv.h"
 #include "lazy.hpp"
+#include "locate.hpp"
+#include "minkowski_region.hpp"
 #include "minkowski_sum.hpp"
 #include "polygon.hpp"
 
@@ -19,25 +21,44 @@ struct gcv_polygon {
     assert(polygon != nullptr);
   }
 
+  // What regions are computed from.
+  [[nodiscard]] std::shared_ptr<const gcv::Polygon> whole() const { return polygon; }
   // The ring that outer faces are computed from. Holes never change an outer face.
   [[nodiscard]] std::shared_ptr<const gcv::Boundary> outer_ring() const {
     return gcv::outer_ring(polygon);
   }
-  // The reflection of the outer ring. Made for the first no-fit polygon that needs it, then kept.
+  // The reflection. Made for the first no-fit polygon or region that needs it, then kept.
+  [[nodiscard]] std::shared_ptr<const gcv::Polygon> reflected() const {
+    return reflected_.get(
+        [this] { return std::make_shared<const gcv::Polygon>(gcv::Polygon::reflected(polygon)); });
+  }
   [[nodiscard]] std::shared_ptr<const gcv::Boundary> reflected_outer_ring() const {
-    return reflected_.get([this] {
-      return std::make_shared<const gcv::Boundary>(gcv::Boundary::reflected(outer_ring()));
-    });
+    return gcv::outer_ring(reflected());
   }
 
   const std::shared_ptr<const gcv::Polygon> polygon;
 
  private:
-  gcv::Lazy<std::shared_ptr<const gcv::Boundary>> reflected_;
+  gcv::Lazy<std::shared_ptr<const gcv::Polygon>> reflected_;
 };
 
 struct gcv_outer_face {
   gcv::OuterFace face;
+};
+
+struct gcv_region {
+  explicit gcv_region(gcv::Region computed) : region(std::move(computed)) {}
+
+  // Made for the first points that are located, then kept.
+  [[nodiscard]] const gcv::RegionLocator& locator() const {
+    return *locator_.get(
+        [this] { return std::make_unique<const gcv::RegionLocator>(region.exact); });
+  }
+
+  const gcv::Region region;
+
+ private:
+  gcv::Lazy<std::unique_ptr<const gcv::RegionLocator>> locator_;
 };
 
 struct gcv_superset {

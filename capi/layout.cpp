@@ -8,6 +8,7 @@
 #include "error.hpp"
 #include "gcv/gcv.h"
 #include "point.hpp"
+#include "region.hpp"
 #include "simplification.hpp"
 #include "superset.hpp"
 
@@ -44,6 +45,15 @@ static_assert(is_same(GCV_EDGE_TRANSLATED, EdgeKind::translated));
 static_assert(is_same(GCV_EDGE_CORNER, EdgeKind::corner));
 static_assert(is_same(GCV_EDGE_TRANSLATED_CORNER, EdgeKind::translated_corner));
 
+constexpr bool is_same(std::int32_t kind, PartKind core) {
+  return kind == static_cast<std::int32_t>(core);
+}
+static_assert(is_same(GCV_PART_OUTER, PartKind::outer));
+static_assert(is_same(GCV_PART_HOLE, PartKind::hole));
+static_assert(is_same(GCV_PART_SEGMENT, PartKind::segment));
+static_assert(is_same(GCV_PART_POINT, PartKind::point));
+static_assert(RegionPart::no_polygon == UINT32_MAX);
+
 // Vertices are copied as bytes.
 static_assert(sizeof(Point) == 2 * sizeof(double));
 static_assert(offsetof(Point, x) == 0);
@@ -74,7 +84,9 @@ static_assert(offsetof(gcv_options, tolerance) == 8);
 static_assert(offsetof(gcv_options, threads) == 16);
 static_assert(offsetof(gcv_options, progress) == (pointer == 8 ? 24 : 20));
 static_assert(offsetof(gcv_options, progress_context) == (pointer == 8 ? 32 : 24));
-static_assert(sizeof(gcv_options) == (pointer == 8 ? 40 : up(28, alignment)));
+// 0.1.0 had as many bytes as there are before leave_out.
+static_assert(offsetof(gcv_options, leave_out) == (pointer == 8 ? 40 : up(28, alignment)));
+static_assert(sizeof(gcv_options) == offsetof(gcv_options, leave_out) + 8);
 
 static_assert(offsetof(gcv_edge_source, kind) == 0);
 static_assert(offsetof(gcv_edge_source, a) == 4);
@@ -95,7 +107,13 @@ static_assert(offsetof(gcv_stats, predicates_filtered) == alignment + 16);
 static_assert(offsetof(gcv_stats, predicates_fixed_width) == alignment + 24);
 static_assert(offsetof(gcv_stats, predicates_rational) == alignment + 32);
 static_assert(offsetof(gcv_stats, vertices_repaired) == alignment + 40);
-static_assert(sizeof(gcv_stats) == alignment + 48);
+static_assert(offsetof(gcv_stats, parts_dropped) == alignment + 48);  // the size in 0.1.0
+static_assert(sizeof(gcv_stats) == alignment + 56);
+
+static_assert(offsetof(gcv_region_part, kind) == 0);
+static_assert(offsetof(gcv_region_part, polygon) == 4);
+static_assert(offsetof(gcv_region_part, vertex_count) == 8);
+static_assert(sizeof(gcv_region_part) == 16);
 
 }  // namespace
 

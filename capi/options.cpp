@@ -2,6 +2,7 @@
 #include "options.hpp"
 
 #include <algorithm>
+#include <cinttypes>
 #include <cmath>
 #include <cstddef>
 #include <cstring>
@@ -9,6 +10,13 @@
 #include "error.hpp"
 #include "parallel.hpp"
 #include "text_of.hpp"
+
+#ifdef gcv_EXPORTS
+// Programs that were linked with version 0.1 keep the function that writes the struct of then.
+extern "C" GCV_API void gcv_options_init_0_1(gcv_options* options);
+__asm__(".symver gcv_options_init_0_1, gcv_options_init@GCV_0.1");
+__asm__(".symver gcv_options_init, gcv_options_init@@@GCV_0.2");
+#endif
 
 namespace gcv::capi {
 
@@ -20,6 +28,17 @@ struct FirstOptions {
   std::int32_t rounding;
   double tolerance;
 };
+
+// The size of the options of 0.1.0.
+constexpr std::size_t size_0_1 = offsetof(gcv_options, leave_out);
+
+constexpr std::uint64_t known_parts = GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS;
+
+bool is_known_size(std::uint32_t size) {
+  return size == sizeof(FirstOptions) || size == size_0_1 || size >= sizeof(gcv_options);
+}
+
+bool has(std::uint64_t bits, std::uint64_t bit) { return (bits & bit) != 0; }
 
 }  // namespace
 
@@ -44,11 +63,11 @@ gcv_options read_options(const gcv_options* options) {
     return known;
   }
   const std::uint32_t size = options->struct_size;
-  if (size != sizeof(FirstOptions) && size < sizeof(gcv_options)) {
+  if (!is_known_size(size)) {
     throw Error(Status::invalid_argument,
-                "options: struct_size is %u, neither %zu nor at least %zu; initialise it with "
-                "GCV_OPTIONS_INIT",
-                size, sizeof(FirstOptions), sizeof(gcv_options));
+                "options: struct_size is %u, neither %zu nor %zu nor at least %zu; initialise it "
+                "with GCV_OPTIONS_INIT",
+                size, sizeof(FirstOptions), size_0_1, sizeof(gcv_options));
   }
   const auto* const bytes = reinterpret_cast<const unsigned char*>(options);
   for (std::size_t k = sizeof(gcv_options); k < size; ++k) {
@@ -65,11 +84,33 @@ gcv_options read_options(const gcv_options* options) {
   if (known.threads < 0) {
     throw Error(Status::invalid_argument, "options: threads is %d, below 0", known.threads);
   }
+  if (has(known.leave_out, ~known_parts)) {
+    throw Error(Status::invalid_argument, "options: leave_out is %" PRIu64 ", with unknown bits",
+                known.leave_out);
+  }
+  return known;
+}
+
+gcv_options read_inner_fit_options(const gcv_options* options) {
+  const gcv_options known = read_options(options);
+  if (known.tolerance > 0) {
+    throw Error(Status::invalid_argument, "options: tolerance is %g; inner fits are exact, 0",
+                known.tolerance);
+  }
+  if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {
+    throw Error(Status::invalid_argument,
+                "options: leave_out has GCV_LEAVE_OUT_HOLES; inner fits have all of their holes");
+  }
   return known;
 }
 
 SumOptions sum_options(const gcv_options& options) {
   return {static_cast<Rounding>(options.rounding), options.tolerance};
+}
+
+RegionOptions region_options(const gcv_options& options) {
+  return {sum_options(options), has(options.leave_out, GCV_LEAVE_OUT_HOLES),
+          has(options.leave_out, GCV_LEAVE_OUT_FITS)};
 }
 
 unsigned threads_of(const gcv_options& options) {
@@ -85,6 +126,12 @@ void gcv_options_init(gcv_options* options) {
     *options = GCV_OPTIONS_INIT;
   }
 }
+
+#ifdef gcv_EXPORTS
+void gcv_options_init_0_1(gcv_options* options) {
+  gcv_options_init_size(options, gcv::capi::size_0_1);
+}
+#endif
 
 void gcv_options_init_size(gcv_options* options, uint32_t struct_size) {
   if (options == nullptr || struct_size < sizeof(gcv::capi::FirstOptions)) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "gcv/gcv.h"
+#include "minkowski_region.hpp"
 #include "minkowski_sum.hpp"
 #include "simplification.hpp"
 
@@ -17,8 +18,11 @@ void check_tolerance(double tolerance, const char* where);
 
 // The options that this version knows. Takes a struct of any version, or NULL for the defaults.
 gcv_options read_options(const gcv_options* options);
+// Refuses what inner fits do not take.
+gcv_options read_inner_fit_options(const gcv_options* options);
 
 SumOptions sum_options(const gcv_options& options);
+RegionOptions region_options(const gcv_options& options);
 
 // The number of threads that the options ask for.
 unsigned threads_of(const gcv_options& options);

@@ -4,17 +4,18 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <vector>
 
 #include "area.hpp"
 #include "edge_sources.hpp"
 #include "error.hpp"
+#include "exact_indices.hpp"
 #include "fill.hpp"
 #include "gcv/gcv.h"
 #include "guard.hpp"
 #include "handles.hpp"
 #include "ring_predicates.hpp"
+#include "stats.hpp"
 #include "wkt.hpp"
 
 using gcv::Error;
@@ -77,6 +78,19 @@ gcv_status gcv_outer_face_edge_sources(const gcv_outer_face* face, gcv_edge_sour
   });
 }
 
+gcv_status gcv_outer_face_exact_indices(const gcv_outer_face* face, uint64_t* out, size_t capacity,
+                                        size_t* required) {
+  return guarded([&] {
+    require(face, "face");
+    fill(face->face.rounded.vertices.size(), "indices", "out", out, capacity, required,
+         [&](std::uint64_t* to) {
+           const std::vector<std::uint64_t> indices =
+               gcv::exact_indices(face->face.exact, face->face.rounded);
+           std::copy(indices.begin(), indices.end(), to);
+         });
+  });
+}
+
 gcv_status gcv_outer_face_error_bound(const gcv_outer_face* face, double* out) {
   return guarded<CallersFloatingPoint>([&] {
     require(face, "face");
@@ -113,20 +127,6 @@ gcv_status gcv_outer_face_stats(const gcv_outer_face* face, gcv_stats* out) {
   return guarded<CallersFloatingPoint>([&] {
     require(face, "face");
     require(out, "out");
-    const std::uint32_t size = out->struct_size;
-    if (size < sizeof(gcv_stats)) {
-      throw Error(Status::invalid_argument, "stats: struct_size is %u, less than %zu", size,
-                  sizeof(gcv_stats));
-    }
-    const gcv::Counts& counts = face->face.counts;
-    const gcv_stats stats{size,
-                          counts.walk_steps,
-                          counts.candidate_edges,
-                          counts.predicates.filtered,
-                          counts.predicates.fixed_width,
-                          counts.predicates.rational,
-                          face->face.rounded.vertices_repaired};
-    std::memset(out, 0, size);
-    std::memcpy(out, &stats, sizeof stats);
+    gcv::capi::give_stats(face->face.counts, face->face.rounded.vertices_repaired, 0, out);
   });
 }

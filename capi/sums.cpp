@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// gcv_minkowski_sum, gcv_no_fit_polygon, gcv_entrance_block and gcv_minkowski_sum_many.
-#include <algorithm>
-#include <cmath>
+// Outer faces: gcv_minkowski_sum, gcv_no_fit_polygon, gcv_entrance_block, and many at once.
 #include <cstddef>
 #include <memory>
 #include <utility>
-#include <vector>
 
 #include "batch.hpp"
-#include "error.hpp"
+#include "finite_point.hpp"
 #include "gcv/gcv.h"
 #include "guard.hpp"
 #include "handles.hpp"
 #include "minkowski_sum.hpp"
 #include "options.hpp"
+#include "pairs.hpp"
 #include "task.hpp"
 
 namespace {
 
-using gcv::Error;
+using gcv::finite_point;
 using gcv::Operand;
 using gcv::Point;
-using gcv::Status;
 using gcv::capi::guarded;
 using gcv::capi::read_options;
 using gcv::capi::require;
@@ -35,16 +32,6 @@ gcv_outer_face* new_outer_face(const Operand& a, const Operand& b, const Point& 
   return new gcv_outer_face{gcv::minkowski_sum(a, b, shift, gcv::capi::sum_options(options), task)};
 }
 
-Point read_reference(const double reference[2], const char* name) {
-  require(reference, name);
-  const Point point{reference[0], reference[1]};
-  if (!std::isfinite(point.x) || !std::isfinite(point.y)) {
-    throw Error(Status::not_finite, "%s: the %s coordinate is %g, not a finite number", name,
-                std::isfinite(point.x) ? "y" : "x", std::isfinite(point.x) ? point.y : point.x);
-  }
-  return {point.x + 0.0, point.y + 0.0};
-}
-
 Operand operand(const gcv_polygon* polygon, const char* name) {
   return {polygon->outer_ring(), name};
 }
@@ -53,17 +40,18 @@ Operand reflected_operand(const gcv_polygon* polygon, const char* name) {
   return {polygon->reflected_outer_ring(), name};
 }
 
-std::vector<gcv::OperandPair> read_pairs(const gcv_polygon* const* a, const gcv_polygon* const* b,
-                                         std::size_t count) {
-  const auto prepared = [](const gcv_polygon* polygon) {
-    return polygon == nullptr ? nullptr : polygon->outer_ring();
-  };
-  std::vector<gcv::OperandPair> pairs(count);
-  std::transform(a, a + count, b, pairs.begin(),
-                 [&](const gcv_polygon* first, const gcv_polygon* second) {
-                   return gcv::OperandPair{prepared(first), prepared(second)};
-                 });
-  return pairs;
+using Pairs = gcv::capi::CallersPairs<gcv::Boundary>;
+
+void give_outer_faces(const Pairs& pairs, const gcv_options* options, gcv_outer_face** out,
+                      gcv_status* statuses) {
+  give_many(pairs, options, out, statuses,
+            [&](const auto& rings, const gcv_options& known, gcv::Task& task, auto& faces) {
+              return gcv::minkowski_sums(
+                  rings, pairs.names(), gcv::capi::sum_options(known), threads_of(known), task,
+                  [&](std::size_t k, gcv::OuterFace&& face) {
+                    faces[k] = std::make_unique<gcv_outer_face>(gcv_outer_face{std::move(face)});
+                  });
+            });
 }
 
 }  // namespace
@@ -87,7 +75,8 @@ gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* movin
     require(moving, "moving");
     require(out, "out");
     const gcv_options known = read_options(options);
-    const Point shift = read_reference(reference, "reference");
+    require(reference, "reference");
+    const Point shift = finite_point({reference[0], reference[1]}, "reference");
     *out =
         new_outer_face(operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift, known);
   });
@@ -100,7 +89,8 @@ gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const 
     require(b, "b");
     require(out, "out");
     const gcv_options known = read_options(options);
-    const Point shift = read_reference(a0, "a0");
+    require(a0, "a0");
+    const Point shift = finite_point({a0[0], a0[1]}, "a0");
     *out = new_outer_face(reflected_operand(a, "a"), operand(b, "b"), shift, known);
   });
 }
@@ -109,27 +99,21 @@ gcv_status gcv_minkowski_sum_many(const gcv_polygon* const* a, const gcv_polygon
                                   size_t count, const gcv_options* options, gcv_outer_face** out,
                                   gcv_status* statuses) {
   return guarded([&] {
-    if (count == 0) {
-      return;
-    }
-    require(a, "a");
-    require(b, "b");
-    require(out, "out");
-    require(statuses, "statuses");
-    const gcv_options known = read_options(options);
-    gcv::Task task(1, known.progress, known.progress_context);
-    std::vector<std::unique_ptr<gcv_outer_face>> faces(count);
-    const gcv::BatchReport report = gcv::minkowski_sums(
-        read_pairs(a, b, count), gcv::capi::sum_options(known), threads_of(known), task,
-        [&](std::size_t k, gcv::OuterFace&& face) {
-          faces[k] = std::make_unique<gcv_outer_face>(gcv_outer_face{std::move(face)});
-        });
-    if (report.first_failure) {
-      static_cast<void>(gcv::capi::record(*report.first_failure));
-    }
-    std::transform(faces.begin(), faces.end(), out,
-                   [](std::unique_ptr<gcv_outer_face>& face) { return face.release(); });
-    std::transform(report.statuses.begin(), report.statuses.end(), statuses,
-                   [](Status status) { return static_cast<gcv_status>(status); });
+    const Pairs pairs{a,    &gcv_polygon::outer_ring, b, &gcv_polygon::outer_ring, nullptr, count,
+                      false};
+    give_outer_faces(pairs, options, out, statuses);
+  });
+}
+
+gcv_status gcv_no_fit_polygon_many(const gcv_polygon* const* fixed,
+                                   const gcv_polygon* const* moving, const double* references,
+                                   size_t count, const gcv_options* options, gcv_outer_face** out,
+                                   gcv_status* statuses) {
+  return guarded([&] {
+    const Pairs pairs{fixed,      &gcv_polygon::outer_ring,
+                      moving,     &gcv_polygon::reflected_outer_ring,
+                      references, count,
+                      true};
+    give_outer_faces(pairs, options, out, statuses);
   });
 }

@@ -43,6 +43,8 @@ Look = Callable[[pathlib.Path, pathlib.Path], str]
 LAYOUT = "layout.cpp"
 """Does not compile where a struct has changed, and is no part of the interface."""
 HEADER, HANDLES, SOURCE, MAP = "include/gcv/gcv.h", "handles.hpp", "version.cpp", "gcv.map"
+OPTIONS_SOURCE = "options.cpp"
+"""Names version nodes, as gcv.map does."""
 
 NEW_FUNCTION: list[Edit] = [
     (HEADER, r"(#ifdef __cplusplus\n\})", r"GCV_API int32_t gcv_new(void);\n\1"),
@@ -60,7 +62,7 @@ COMPATIBLE: dict[str, list[Edit]] = {
 }
 INCOMPATIBLE: dict[str, list[Edit]] = {
     "a lost function": LOST_FUNCTION,
-    "another version node": [(MAP, r"GCV_0\.1\b", "GCV_0.1.1")],
+    "another version node": [(file, r"GCV_0\.1\b", "GCV_0.1.1") for file in (MAP, OPTIONS_SOURCE)],
     "another return type": [(HEADER, r"typedef int32_t gcv_status", "typedef int64_t gcv_status")],
     "gcv_options grows in the middle": [(HEADER, r"int32_t rounding;", r"\g<0> double earlier;")],
     "gcv_stats grows before its end": [

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  *
  * Programs that were compiled with an earlier gcv.h: the options of then, with memory of the
- * program's own behind them. The first struct had 16 bytes, before any release; 0.1.0 has 40.
+ * program's own behind them. The first struct had 16 bytes, before any release; that of 0.1.0
+ * has 40.
  */
 #include <string.h>
 
@@ -62,6 +63,26 @@ static void first_struct(void) {
   gcv_polygon_destroy(square);
 }
 
+/* A struct of 0.1 is taken, and what lies behind it is not read. */
+static void struct_of_0_1(void) {
+  struct {
+    options_0_1 options;
+    unsigned char own[64];
+  } caller;
+  gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  gcv_outer_face *face = NULL;
+  gcv_region *region = NULL;
+  memset(&caller, 0, sizeof caller);
+  memset(caller.own, 0xa5, sizeof caller.own);
+  caller.options.first.struct_size = sizeof caller.options;
+  caller.options.threads = 1;
+  CHECK_OK(gcv_minkowski_sum(square, square, (const gcv_options *)&caller.options, &face));
+  CHECK_OK(gcv_minkowski_sum_region(square, square, (const gcv_options *)&caller.options, &region));
+  gcv_outer_face_destroy(face);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(square);
+}
+
 /* The version of the function that a program of 0.1 is bound to writes a struct of 0.1. */
 __asm__(".symver options_init_0_1, gcv_options_init@GCV_0.1");
 void options_init_0_1(gcv_options *options);
@@ -81,6 +102,7 @@ static void init_of_0_1(void) {
 
 int main(void) {
   first_struct();
+  struct_of_0_1();
   init_of_0_1();
   return check_failures != 0;
 }

@@ -4,7 +4,7 @@
  */
 #include <stdlib.h>
 
-#include "handles.h"
+#include "regions.h"
 
 typedef gcv_status fill(const void *handle, void *out, size_t capacity, size_t *required);
 
@@ -32,6 +32,43 @@ static gcv_status wkt(const void *handle, void *out, size_t capacity, size_t *re
 }
 static gcv_status superset_edges(const void *handle, void *out, size_t capacity, size_t *required) {
   return gcv_superset_edges(handle, out, capacity, required);
+}
+static gcv_status region_parts(const void *handle, void *out, size_t capacity, size_t *required) {
+  return gcv_region_parts(handle, out, capacity, required);
+}
+static gcv_status region_vertices(const void *handle, void *out, size_t capacity,
+                                  size_t *required) {
+  return gcv_region_vertices(handle, out, capacity, required);
+}
+static gcv_status region_exact_parts(const void *handle, void *out, size_t capacity,
+                                     size_t *required) {
+  return gcv_region_exact_parts(handle, out, capacity, required);
+}
+static gcv_status region_exact_vertex(const void *handle, void *out, size_t capacity,
+                                      size_t *required) {
+  return gcv_region_exact_vertex(handle, 2, out, capacity, required);
+}
+static gcv_status region_exact_indices(const void *handle, void *out, size_t capacity,
+                                       size_t *required) {
+  return gcv_region_exact_indices(handle, out, capacity, required);
+}
+static gcv_status region_edge_sources(const void *handle, void *out, size_t capacity,
+                                      size_t *required) {
+  return gcv_region_edge_sources(handle, out, capacity, required);
+}
+static gcv_status region_edge_owners(const void *handle, void *out, size_t capacity,
+                                     size_t *required) {
+  return gcv_region_edge_owners(handle, out, capacity, required);
+}
+static gcv_status region_wkt(const void *handle, void *out, size_t capacity, size_t *required) {
+  return gcv_region_wkt(handle, out, capacity, required);
+}
+static gcv_status region_fits_wkt(const void *handle, void *out, size_t capacity,
+                                  size_t *required) {
+  return gcv_region_fits_wkt(handle, out, capacity, required);
+}
+static gcv_status exact_indices(const void *handle, void *out, size_t capacity, size_t *required) {
+  return gcv_outer_face_exact_indices(handle, out, capacity, required);
 }
 
 enum { SENTINEL = 0xa5 };
@@ -92,6 +129,26 @@ static void follows_contract(const char *name, fill *call, const void *handle, s
   if (check_failures != failures_before) fprintf(stderr, "  by %s\n", name);
 }
 
+/* Of a ring and a segment. */
+static void regions(void) {
+  static const char fits[] = "GEOMETRYCOLLECTION (LINESTRING (2 2, 2 6))";
+  static const char polygons[] = "MULTIPOLYGON (((-2 -2, 6 -2, 6 6, -2 6, -2 -2)))";
+  gcv_polygon *slotted = POLYGON(SLOTTED), *peg = SQUARE(2);
+  gcv_region *region = no_fit_region(slotted, peg, 0, GCV_ROUND_NEAREST);
+  follows_contract("region_parts", region_parts, region, 2, sizeof(gcv_region_part));
+  follows_contract("region_vertices", region_vertices, region, 6, 2 * sizeof(double));
+  follows_contract("region_exact_parts", region_exact_parts, region, 2, sizeof(gcv_region_part));
+  follows_contract("region_exact_vertex", region_exact_vertex, region, sizeof "6/1 6/1", 1);
+  follows_contract("region_exact_indices", region_exact_indices, region, 6, sizeof(uint64_t));
+  follows_contract("region_edge_sources", region_edge_sources, region, 6, sizeof(gcv_edge_source));
+  follows_contract("region_edge_owners", region_edge_owners, region, 6, sizeof(uint64_t));
+  follows_contract("region_wkt", region_wkt, region, sizeof polygons, 1);
+  follows_contract("region_fits_wkt", region_fits_wkt, region, sizeof fits, 1);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(slotted);
+  gcv_polygon_destroy(peg);
+}
+
 int main(void) {
   const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4, 1, 2, 2, 2.5, 1, 3};
   const size_t sizes[] = {4, 3};
@@ -110,6 +167,9 @@ int main(void) {
   follows_contract("edge_sources", edge_sources, face, 5, sizeof(gcv_edge_source));
   follows_contract("wkt", wkt, face, sizeof "POLYGON ((0 0, 7 7, 4.6 6.2, 3 7, 0 6, 0 0))", 1);
   follows_contract("superset_edges", superset_edges, superset, 6, sizeof(gcv_superset_edge));
+
+  follows_contract("exact_indices", exact_indices, face, 5, sizeof(uint64_t));
+  regions();
 
   gcv_superset_destroy(superset);
   gcv_outer_face_destroy(face);

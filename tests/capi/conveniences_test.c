@@ -78,6 +78,40 @@ static void arrays_and_texts(void) {
   gcv_polygon_destroy(b);
 }
 
+static void regions(void) {
+  const double origin[2] = {0, 0};
+  gcv_polygon *small = POLYGON(0, 0, 2, 0, 2, 2, 0, 2), *large = POLYGON(0, 0, 4, 0, 4, 2, 0, 2);
+  gcv_region *region = NULL, *empty = NULL;
+  gcv_region_part *parts = NULL;
+  double *xy = NULL;
+  char *text = NULL;
+  size_t count = 0;
+  CHECK_OK(gcv_inner_fit_region(large, small, origin, NULL, &region));
+  CHECK_OK(gcv_inner_fit_region(small, large, origin, NULL, &empty));
+  CHECK_ALLOCATED(gcvx_region_parts(region, &parts, &count));
+  CHECK(count == 1 && parts[0].kind == GCV_PART_SEGMENT && parts[0].vertex_count == 2);
+  free(parts);
+  CHECK_ALLOCATED(gcvx_region_vertices(region, &xy, &count));
+  CHECK(same_ring(xy, count, RING(0, 0, 2, 0)));
+  free(xy);
+  CHECK_ALLOCATED(gcvx_region_wkt(region, &text));
+  CHECK(strcmp(text, "MULTIPOLYGON EMPTY") == 0);
+  free(text);
+  CHECK_ALLOCATED(gcvx_region_fits_wkt(region, &text));
+  CHECK(strcmp(text, "GEOMETRYCOLLECTION (LINESTRING (0 0, 2 0))") == 0);
+  free(text);
+  CHECK_ALLOCATED(gcvx_region_parts(empty, &parts, &count));
+  CHECK(count == 0 && parts != NULL);
+  free(parts);
+  CHECK_ALLOCATED(gcvx_region_vertices(empty, &xy, &count));
+  CHECK(count == 0 && xy != NULL);
+  free(xy);
+  gcv_region_destroy(region);
+  gcv_region_destroy(empty);
+  gcv_polygon_destroy(small);
+  gcv_polygon_destroy(large);
+}
+
 static void refused(void) {
   gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
   gcv_outer_face *face = sum_of(square, square);
@@ -150,6 +184,7 @@ static void messages(void) {
 
 int main(void) {
   arrays_and_texts();
+  regions();
   refused();
   files();
   messages();

@@ -33,10 +33,12 @@ void free(void *block) {
 }
 
 static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4, 1, 2, 2, 2.5, 1, 3}, point[2] = {0.5, 0.25};
+static const double point_pair[4] = {0.5, 0.25, 0.1, 0};
 static const size_t sizes[] = {4, 3};
 static gcv_polygon *polygon, *holed, *fraction, *new_polygon;
 static gcv_outer_face *face, *new_face;
 static gcv_superset *new_superset;
+static gcv_region *region, *new_region;
 static char text[256];
 static size_t required;
 
@@ -110,15 +112,93 @@ static gcv_status edge_sources(void) {
   return gcv_outer_face_edge_sources(face, sources, 16, &required);
 }
 static gcv_status face_polygon(void) { return gcv_outer_face_polygon(face, &new_polygon); }
+static gcv_status sum_region(void) {
+  return gcv_minkowski_sum_region(holed, polygon, NULL, &new_region);
+}
+static gcv_status outward_sum_region(void) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.rounding = GCV_ROUND_OUTWARD;
+  options.tolerance = 0.25;
+  return gcv_minkowski_sum_region(holed, fraction, &options, &new_region);
+}
+static gcv_status no_fit_region(void) {
+  gcv_polygon *moving = NULL;
+  gcv_status status = gcv_polygon_create_rings(xy, sizes, 2, 0, &moving);
+  if (status == GCV_OK) status = gcv_no_fit_region(holed, moving, point, NULL, &new_region);
+  gcv_polygon_destroy(moving);
+  return status;
+}
+static gcv_status entrance_region(void) {
+  gcv_polygon *a = NULL;
+  gcv_status status = gcv_polygon_create(xy, 4, 0, &a);
+  if (status == GCV_OK) status = gcv_entrance_region(a, holed, point, NULL, &new_region);
+  gcv_polygon_destroy(a);
+  return status;
+}
+static gcv_status inner_fit_region(void) {
+  static const double tiny[] = {0, 0, 0.25, 0, 0, 0.125};
+  gcv_polygon *moving = NULL;
+  gcv_status status = gcv_polygon_create(tiny, 3, 0, &moving);
+  if (status == GCV_OK) status = gcv_inner_fit_region(holed, moving, point, NULL, &new_region);
+  gcv_polygon_destroy(moving);
+  return status;
+}
+/* Pairs that fail alone do so by their statuses. */
+static gcv_status region_many(void) {
+  gcv_polygon *own = NULL;
+  const gcv_polygon *fixed[2], *moving[2];
+  gcv_region *regions[2] = {NULL, NULL};
+  gcv_status statuses[2] = {GCV_OK, GCV_OK}, status;
+  int k;
+  status = gcv_polygon_create_rings(xy, sizes, 2, 0, &own);
+  if (status != GCV_OK) return status;
+  fixed[0] = fixed[1] = holed;
+  moving[0] = moving[1] = own;
+  status = gcv_no_fit_region_many(fixed, moving, point_pair, 2, NULL, regions, statuses);
+  for (k = 0; k < 2; ++k) {
+    CHECK((regions[k] != NULL) == (status == GCV_OK && statuses[k] == GCV_OK));
+    gcv_region_destroy(regions[k]);
+    if (status == GCV_OK) status = statuses[k];
+  }
+  gcv_polygon_destroy(own);
+  return status;
+}
+/* With a region of its own, which keeps what it locates by to its end. */
+static gcv_status locate(void) {
+  gcv_region *own = NULL;
+  int8_t place;
+  gcv_status status = gcv_minkowski_sum_region(holed, polygon, NULL, &own);
+  if (status == GCV_OK) status = gcv_region_locate(own, point, 1, &place);
+  gcv_region_destroy(own);
+  return status;
+}
+static gcv_status region_exact_vertex(void) {
+  return gcv_region_exact_vertex(region, 0, text, sizeof text, &required);
+}
+static gcv_status region_wkt(void) { return gcv_region_wkt(region, text, sizeof text, &required); }
+static gcv_status region_fits_wkt(void) {
+  return gcv_region_fits_wkt(region, text, sizeof text, &required);
+}
+static gcv_status region_sources(void) {
+  static gcv_edge_source sources[64];
+  return gcv_region_edge_sources(region, sources, 64, &required);
+}
+static gcv_status region_polygon(void) { return gcv_region_polygon(region, 0, &new_polygon); }
+static gcv_status exact_indices(void) {
+  static uint64_t indices[64];
+  return gcv_outer_face_exact_indices(face, indices, 64, &required);
+}
 static gcv_status superset(void) { return gcv_superset_create(polygon, polygon, &new_superset); }
 
 static void forget_outputs(void) {
   gcv_polygon_destroy(new_polygon);
   gcv_outer_face_destroy(new_face);
   gcv_superset_destroy(new_superset);
+  gcv_region_destroy(new_region);
   new_polygon = NULL;
   new_face = NULL;
   new_superset = NULL;
+  new_region = NULL;
   text[0] = '\0';
 }
 
@@ -133,7 +213,8 @@ static void starve(gcv_status (*call)(void)) {
     if (status == GCV_OK) break;
     if (!CHECK_STATUS(GCV_ERR_NO_MEMORY, status)) break;
     CHECK(live == live_before);
-    CHECK(new_polygon == NULL && new_face == NULL && new_superset == NULL && text[0] == '\0');
+    CHECK(new_polygon == NULL && new_face == NULL && new_superset == NULL && new_region == NULL);
+    CHECK(text[0] == '\0');
   }
   CHECK(enough > 0);
   forget_outputs();
@@ -157,10 +238,12 @@ static void starve_in_child(const char *name, gcv_status (*call)(void)) {
 
 /* The functions that do not know GCV_ERR_NO_MEMORY need none. */
 static void frugal_functions(void) {
-  double number, bounds[4], vertices[32];
+  double number, bounds[4], vertices[64];
+  gcv_region_part parts[16];
+  uint64_t numbers[32];
   size_t count;
   gcv_superset_edge edges[64];
-  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
   CHECK_OK(superset());
   allowed = 0;
   CHECK_OK(gcv_polygon_vertex_count(polygon, &count));
@@ -176,6 +259,15 @@ static void frugal_functions(void) {
   CHECK_OK(gcv_outer_face_area(face, &number));
   CHECK_OK(gcv_outer_face_stats(face, &stats));
   CHECK_OK(gcv_superset_edges(new_superset, edges, 64, &count));
+  CHECK_OK(gcv_region_parts(region, parts, 16, &count));
+  CHECK_OK(gcv_region_vertices(region, vertices, 32, &count));
+  CHECK_OK(gcv_region_exact_parts(region, parts, 16, &count));
+  CHECK_OK(gcv_region_exact_indices(region, numbers, 32, &count));
+  CHECK_OK(gcv_region_edge_owners(region, numbers, 32, &count));
+  CHECK_OK(gcv_region_area(region, &number));
+  CHECK_OK(gcv_region_error_bound(region, &number));
+  CHECK_OK(gcv_region_stats(region, &stats));
+  CHECK_OK(gcv_region_locate(region, NULL, 0, NULL));
   CHECK_STATUS(GCV_ERR_NULL_ARGUMENT, gcv_polygon_area(NULL, &number));
   allowed = -1;
   forget_outputs();
@@ -186,6 +278,7 @@ int main(void) {
   CHECK_OK(gcv_polygon_create_rings(xy, sizes, 2, 0, &holed));
   fraction = POLYGON(0.1, 0, 1, 0.2, 0.3, 1);
   face = sum_of(polygon, polygon);
+  CHECK_OK(gcv_minkowski_sum_region(holed, polygon, NULL, &region));
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
   starve_in_child("gcv_polygon_create_rings", create_rings);
@@ -203,8 +296,22 @@ int main(void) {
   starve_in_child("gcv_outer_face_wkt", wkt);
   starve_in_child("gcv_outer_face_edge_sources", edge_sources);
   starve_in_child("gcv_outer_face_polygon", face_polygon);
+  starve_in_child("gcv_outer_face_exact_indices", exact_indices);
   starve_in_child("gcv_superset_create", superset);
+  starve_in_child("gcv_minkowski_sum_region", sum_region);
+  starve_in_child("gcv_minkowski_sum_region, outward", outward_sum_region);
+  starve_in_child("gcv_no_fit_region", no_fit_region);
+  starve_in_child("gcv_entrance_region", entrance_region);
+  starve_in_child("gcv_inner_fit_region", inner_fit_region);
+  starve_in_child("gcv_no_fit_region_many", region_many);
+  starve_in_child("gcv_region_locate", locate);
+  starve_in_child("gcv_region_exact_vertex", region_exact_vertex);
+  starve_in_child("gcv_region_wkt", region_wkt);
+  starve_in_child("gcv_region_fits_wkt", region_fits_wkt);
+  starve_in_child("gcv_region_edge_sources", region_sources);
+  starve_in_child("gcv_region_polygon", region_polygon);
   frugal_functions();
+  gcv_region_destroy(region);
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(fraction);
   gcv_polygon_destroy(holed);

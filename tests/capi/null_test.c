@@ -109,7 +109,8 @@ static void faces(const gcv_outer_face *face) {
   char text[256] = "untouched";
   gcv_edge_source sources[4] = {{-1, 0, 0}};
   gcv_polygon *polygon = UNTOUCHED_HANDLE;
-  gcv_stats stats = {sizeof(gcv_stats), 77, 0, 0, 0, 0, 0};
+  gcv_stats stats = {sizeof(gcv_stats), 77, 0, 0, 0, 0, 0, 0};
+  uint64_t index = UNTOUCHED_COUNT;
 
   REFUSES("face", gcv_outer_face_vertex_count(NULL, &count));
   REFUSES("out", gcv_outer_face_vertex_count(face, NULL));
@@ -121,6 +122,8 @@ static void faces(const gcv_outer_face *face) {
   REFUSES("required", gcv_outer_face_exact_vertex(face, 0, text, sizeof text, NULL));
   REFUSES("face", gcv_outer_face_edge_sources(NULL, sources, 4, &required));
   REFUSES("required", gcv_outer_face_edge_sources(face, sources, 4, NULL));
+  REFUSES("face", gcv_outer_face_exact_indices(NULL, &index, 1, &required));
+  REFUSES("required", gcv_outer_face_exact_indices(face, &index, 1, NULL));
   REFUSES("face", gcv_outer_face_error_bound(NULL, &number));
   REFUSES("out", gcv_outer_face_error_bound(face, NULL));
   REFUSES("face", gcv_outer_face_area(NULL, &number));
@@ -134,7 +137,93 @@ static void faces(const gcv_outer_face *face) {
 
   CHECK(xy[0] == UNTOUCHED && number == UNTOUCHED && count == UNTOUCHED_COUNT);
   CHECK(strcmp(text, "untouched") == 0 && sources[0].kind == -1 && stats.walk_steps == 77);
-  CHECK(polygon == UNTOUCHED_HANDLE);
+  CHECK(polygon == UNTOUCHED_HANDLE && index == UNTOUCHED_COUNT);
+}
+
+static void region_sums(const gcv_polygon *a, const gcv_polygon *b) {
+  const double point[2] = {0, 0};
+  gcv_region *out = UNTOUCHED_HANDLE;
+  gcv_outer_face *face = UNTOUCHED_HANDLE;
+  gcv_status status = UNTOUCHED_STATUS;
+
+  REFUSES("a", gcv_minkowski_sum_region(NULL, b, NULL, &out));
+  REFUSES("b", gcv_minkowski_sum_region(a, NULL, NULL, &out));
+  REFUSES("out", gcv_minkowski_sum_region(a, b, NULL, NULL));
+  REFUSES("fixed", gcv_no_fit_region(NULL, b, point, NULL, &out));
+  REFUSES("moving", gcv_no_fit_region(a, NULL, point, NULL, &out));
+  REFUSES("reference", gcv_no_fit_region(a, b, NULL, NULL, &out));
+  REFUSES("out", gcv_no_fit_region(a, b, point, NULL, NULL));
+  REFUSES("a", gcv_entrance_region(NULL, b, point, NULL, &out));
+  REFUSES("b", gcv_entrance_region(a, NULL, point, NULL, &out));
+  REFUSES("a0", gcv_entrance_region(a, b, NULL, NULL, &out));
+  REFUSES("out", gcv_entrance_region(a, b, point, NULL, NULL));
+  REFUSES("container", gcv_inner_fit_region(NULL, b, point, NULL, &out));
+  REFUSES("moving", gcv_inner_fit_region(a, NULL, point, NULL, &out));
+  REFUSES("reference", gcv_inner_fit_region(a, b, NULL, NULL, &out));
+  REFUSES("out", gcv_inner_fit_region(a, b, point, NULL, NULL));
+  REFUSES("a", gcv_minkowski_sum_region_many(NULL, &b, 1, NULL, &out, &status));
+  REFUSES("b", gcv_minkowski_sum_region_many(&a, NULL, 1, NULL, &out, &status));
+  REFUSES("out", gcv_minkowski_sum_region_many(&a, &b, 1, NULL, NULL, &status));
+  REFUSES("statuses", gcv_minkowski_sum_region_many(&a, &b, 1, NULL, &out, NULL));
+  REFUSES("fixed", gcv_no_fit_region_many(NULL, &b, point, 1, NULL, &out, &status));
+  REFUSES("moving", gcv_no_fit_region_many(&a, NULL, point, 1, NULL, &out, &status));
+  REFUSES("references", gcv_no_fit_region_many(&a, &b, NULL, 1, NULL, &out, &status));
+  REFUSES("out", gcv_no_fit_region_many(&a, &b, point, 1, NULL, NULL, &status));
+  REFUSES("statuses", gcv_no_fit_region_many(&a, &b, point, 1, NULL, &out, NULL));
+  REFUSES("fixed", gcv_no_fit_polygon_many(NULL, &b, point, 1, NULL, &face, &status));
+  REFUSES("moving", gcv_no_fit_polygon_many(&a, NULL, point, 1, NULL, &face, &status));
+  REFUSES("references", gcv_no_fit_polygon_many(&a, &b, NULL, 1, NULL, &face, &status));
+  REFUSES("out", gcv_no_fit_polygon_many(&a, &b, point, 1, NULL, NULL, &status));
+  REFUSES("statuses", gcv_no_fit_polygon_many(&a, &b, point, 1, NULL, &face, NULL));
+
+  CHECK(out == UNTOUCHED_HANDLE && face == UNTOUCHED_HANDLE && status == UNTOUCHED_STATUS);
+}
+
+static void regions(const gcv_region *region) {
+  double xy[8] = {UNTOUCHED}, number = UNTOUCHED;
+  size_t required = 0;
+  char text[256] = "untouched";
+  gcv_region_part part = {-1, 0, 0};
+  gcv_edge_source source = {-1, 0, 0};
+  uint64_t index = UNTOUCHED_COUNT;
+  int8_t place = 77;
+  gcv_polygon *polygon = UNTOUCHED_HANDLE;
+  gcv_stats stats = {sizeof(gcv_stats), 77, 0, 0, 0, 0, 0, 0};
+
+  REFUSES("region", gcv_region_parts(NULL, &part, 1, &required));
+  REFUSES("required", gcv_region_parts(region, &part, 1, NULL));
+  REFUSES("region", gcv_region_vertices(NULL, xy, 4, &required));
+  REFUSES("required", gcv_region_vertices(region, xy, 4, NULL));
+  REFUSES("region", gcv_region_exact_parts(NULL, &part, 1, &required));
+  REFUSES("required", gcv_region_exact_parts(region, &part, 1, NULL));
+  REFUSES("region", gcv_region_exact_vertex(NULL, 0, text, sizeof text, &required));
+  REFUSES("required", gcv_region_exact_vertex(region, 0, text, sizeof text, NULL));
+  REFUSES("region", gcv_region_exact_indices(NULL, &index, 1, &required));
+  REFUSES("required", gcv_region_exact_indices(region, &index, 1, NULL));
+  REFUSES("region", gcv_region_edge_sources(NULL, &source, 1, &required));
+  REFUSES("required", gcv_region_edge_sources(region, &source, 1, NULL));
+  REFUSES("region", gcv_region_edge_owners(NULL, &index, 1, &required));
+  REFUSES("required", gcv_region_edge_owners(region, &index, 1, NULL));
+  REFUSES("region", gcv_region_area(NULL, &number));
+  REFUSES("out", gcv_region_area(region, NULL));
+  REFUSES("region", gcv_region_error_bound(NULL, &number));
+  REFUSES("out", gcv_region_error_bound(region, NULL));
+  REFUSES("region", gcv_region_wkt(NULL, text, sizeof text, &required));
+  REFUSES("required", gcv_region_wkt(region, text, sizeof text, NULL));
+  REFUSES("region", gcv_region_fits_wkt(NULL, text, sizeof text, &required));
+  REFUSES("required", gcv_region_fits_wkt(region, text, sizeof text, NULL));
+  REFUSES("region", gcv_region_polygon(NULL, 0, &polygon));
+  REFUSES("out", gcv_region_polygon(region, 0, NULL));
+  REFUSES("region", gcv_region_locate(NULL, xy, 1, &place));
+  REFUSES("region", gcv_region_locate(NULL, xy, 0, &place));
+  REFUSES("xy", gcv_region_locate(region, NULL, 1, &place));
+  REFUSES("out", gcv_region_locate(region, xy, 1, NULL));
+  REFUSES("region", gcv_region_stats(NULL, &stats));
+  REFUSES("out", gcv_region_stats(region, NULL));
+
+  CHECK(xy[0] == UNTOUCHED && number == UNTOUCHED && index == UNTOUCHED_COUNT && place == 77);
+  CHECK(strcmp(text, "untouched") == 0 && stats.walk_steps == 77);
+  CHECK(part.kind == -1 && source.kind == -1 && polygon == UNTOUCHED_HANDLE);
 }
 
 static void supersets(const gcv_superset *superset) {
@@ -150,9 +239,13 @@ static void allowed(void) {
   gcv_options_init(NULL);
   gcv_options_init_size(NULL, sizeof(gcv_options));
   CHECK_OK(gcv_polygon_create_many(NULL, NULL, 0, 0, NULL, NULL));
+  CHECK_OK(gcv_minkowski_sum_region_many(NULL, NULL, 0, NULL, NULL, NULL));
+  CHECK_OK(gcv_no_fit_region_many(NULL, NULL, NULL, 0, NULL, NULL, NULL));
+  CHECK_OK(gcv_no_fit_polygon_many(NULL, NULL, NULL, 0, NULL, NULL, NULL));
   gcv_polygon_destroy(NULL);
   gcv_outer_face_destroy(NULL);
   gcv_superset_destroy(NULL);
+  gcv_region_destroy(NULL);
   CHECK(strcmp(gcv_last_error_message(), "") == 0);
 }
 
@@ -160,14 +253,19 @@ int main(void) {
   gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
   gcv_outer_face *face = sum_of(square, square);
   gcv_superset *superset = NULL;
+  gcv_region *region = NULL;
   CHECK_OK(gcv_superset_create(square, square, &superset));
+  CHECK_OK(gcv_minkowski_sum_region(square, square, NULL, &region));
 
   allowed();
   polygons(square);
   sums(square, square);
   faces(face);
   supersets(superset);
+  region_sums(square, square);
+  regions(region);
 
+  gcv_region_destroy(region);
   gcv_superset_destroy(superset);
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(square);

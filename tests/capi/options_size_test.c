@@ -4,7 +4,7 @@
  */
 #include "handles.h"
 
-enum { ROOM = 256, SENTINEL = 0xa5 };
+enum { ROOM = 256, SENTINEL = 0xa5, SIZE_0_1 = offsetof(gcv_options, leave_out) };
 
 union options {
   gcv_options known;
@@ -25,13 +25,17 @@ static int holds_defaults(const union options *options, uint32_t size) {
   memcpy(&whole, options, size < sizeof defaults ? size : sizeof defaults);
   return whole.known.struct_size == size && whole.known.rounding == defaults.rounding &&
          whole.known.tolerance == defaults.tolerance && whole.known.threads == defaults.threads &&
-         whole.known.progress == NULL && whole.known.progress_context == NULL;
+         whole.known.progress == NULL && whole.known.progress_context == NULL &&
+         whole.known.leave_out == defaults.leave_out;
 }
 
 static gcv_status sum_with(const gcv_options *options) {
   gcv_outer_face *face = NULL;
+  gcv_region *region = NULL;
   const gcv_status status = gcv_minkowski_sum(square, square, options, &face);
+  CHECK(gcv_minkowski_sum_region(square, square, options, &region) == status);
   gcv_outer_face_destroy(face);
+  gcv_region_destroy(region);
   return status;
 }
 
@@ -49,7 +53,11 @@ static void every_size(void) {
       CHECK(all_are(options.bytes + sizeof(gcv_options), options.bytes + size, 0));
     }
     /* Those of versions that there are, and of later ones, can be used. */
-    if (size == 16 || size >= sizeof(gcv_options)) CHECK_OK(sum_with(&options.known));
+    if (size == 16 || size == SIZE_0_1 || size >= sizeof(gcv_options)) {
+      CHECK_OK(sum_with(&options.known));
+    } else {
+      CHECK_STATUS(GCV_ERR_INVALID_ARGUMENT, sum_with(&options.known));
+    }
   }
 }
 

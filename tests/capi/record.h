@@ -13,7 +13,7 @@
 
 struct record {
   size_t size;
-  unsigned char bytes[1 << 18];
+  unsigned char bytes[1 << 20];
 };
 
 static inline void put(struct record *record, const void *bytes, size_t size) {
@@ -51,7 +51,8 @@ static inline void put_polygon(struct record *record, const gcv_polygon *polygon
 static inline void put_face(struct record *record, const gcv_outer_face *face) {
   double xy[2 * MOST_VERTICES], area, bound;
   gcv_edge_source sources[MOST_VERTICES];
-  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
+  uint64_t indices[MOST_VERTICES];
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
   gcv_polygon *polygon = NULL;
   char text[MOST_TEXT];
   size_t count, size, k;
@@ -66,6 +67,9 @@ static inline void put_face(struct record *record, const gcv_outer_face *face) {
       put(record, text, size);
     }
   }
+  if (put_status(record, gcv_outer_face_exact_indices(face, indices, MOST_VERTICES, &count))) {
+    put(record, indices, count * sizeof *indices);
+  }
   if (put_status(record, gcv_outer_face_area(face, &area))) put(record, &area, sizeof area);
   if (put_status(record, gcv_outer_face_error_bound(face, &bound))) {
     put(record, &bound, sizeof bound);
@@ -74,9 +78,67 @@ static inline void put_face(struct record *record, const gcv_outer_face *face) {
     put(record, text, size);
   }
   if (put_status(record, gcv_outer_face_stats(face, &stats))) {
-    put(record, &stats.walk_steps, 6 * sizeof stats.walk_steps);
+    put(record, &stats.walk_steps, 7 * sizeof stats.walk_steps);
   }
   if (put_status(record, gcv_outer_face_polygon(face, &polygon))) put_polygon(record, polygon);
+  gcv_polygon_destroy(polygon);
+}
+
+/* What is the same for vertices, edges, and parts in doubles and exactly. */
+static inline void put_region_lists(struct record *record, const gcv_region *region) {
+  gcv_region_part parts[MOST_VERTICES];
+  gcv_edge_source sources[2 * MOST_VERTICES];
+  uint64_t numbers[2 * MOST_VERTICES];
+  char text[MOST_TEXT];
+  size_t count = 0, size, k;
+  if (put_status(record, gcv_region_parts(region, parts, MOST_VERTICES, &count))) {
+    put(record, parts, count * sizeof *parts);
+  }
+  if (put_status(record, gcv_region_exact_parts(region, parts, MOST_VERTICES, &count))) {
+    put(record, parts, count * sizeof *parts);
+  }
+  if (put_status(record, gcv_region_exact_indices(region, numbers, 2 * MOST_VERTICES, &count))) {
+    put(record, numbers, count * sizeof *numbers);
+  }
+  if (put_status(record, gcv_region_edge_owners(region, numbers, 2 * MOST_VERTICES, &count))) {
+    put(record, numbers, count * sizeof *numbers);
+  }
+  if (put_status(record, gcv_region_edge_sources(region, sources, 2 * MOST_VERTICES, &count))) {
+    put(record, sources, count * sizeof *sources);
+  }
+  for (k = 0; k <= count; ++k) { /* one too many is an error to be recorded */
+    if (put_status(record, gcv_region_exact_vertex(region, k, text, sizeof text, &size))) {
+      put(record, text, size);
+    }
+  }
+}
+
+static inline void put_region(struct record *record, const gcv_region *region) {
+  double xy[4 * MOST_VERTICES], area, bound;
+  int8_t places[2 * MOST_VERTICES];
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
+  gcv_polygon *polygon = NULL;
+  char text[2 * MOST_TEXT];
+  size_t count, size;
+  put_region_lists(record, region);
+  if (put_status(record, gcv_region_vertices(region, xy, 2 * MOST_VERTICES, &count))) {
+    put(record, xy, count * 2 * sizeof *xy);
+    if (put_status(record, gcv_region_locate(region, xy, count, places))) {
+      put(record, places, count);
+    }
+  }
+  if (put_status(record, gcv_region_area(region, &area))) put(record, &area, sizeof area);
+  if (put_status(record, gcv_region_error_bound(region, &bound))) {
+    put(record, &bound, sizeof bound);
+  }
+  if (put_status(record, gcv_region_wkt(region, text, sizeof text, &size))) put(record, text, size);
+  if (put_status(record, gcv_region_fits_wkt(region, text, sizeof text, &size))) {
+    put(record, text, size);
+  }
+  if (put_status(record, gcv_region_stats(region, &stats))) {
+    put(record, &stats.walk_steps, 7 * sizeof stats.walk_steps);
+  }
+  if (put_status(record, gcv_region_polygon(region, 0, &polygon))) put_polygon(record, polygon);
   gcv_polygon_destroy(polygon);
 }
 
@@ -114,6 +176,34 @@ static inline void put_images(struct record *record, const gcv_polygon *polygon)
   }
 }
 
+static inline void put_regions(struct record *record, const gcv_polygon *a, const gcv_polygon *b,
+                               double tolerance, int32_t rounding) {
+  const double point[2] = {0.1, -1e-9};
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_region *region = NULL;
+  options.tolerance = tolerance;
+  options.rounding = rounding;
+  if (put_status(record, gcv_minkowski_sum_region(a, b, &options, &region))) {
+    put_region(record, region);
+  }
+  gcv_region_destroy(region);
+  region = NULL;
+  if (put_status(record, gcv_no_fit_region(a, b, point, &options, &region))) {
+    put_region(record, region);
+  }
+  gcv_region_destroy(region);
+  region = NULL;
+  if (put_status(record, gcv_entrance_region(a, b, point, &options, &region))) {
+    put_region(record, region);
+  }
+  gcv_region_destroy(region);
+  region = NULL;
+  if (put_status(record, gcv_inner_fit_region(a, b, point, &options, &region))) {
+    put_region(record, region);
+  }
+  gcv_region_destroy(region);
+}
+
 /* Discs, polygons with holes, and many at once. */
 static inline void put_others(struct record *record) {
   static const double xy[] = {0, 0, 3, 0.1, 0, 3, 0.1, 0.1, 1, 0.3, 0.3, 1, 0.1, 0.1};
@@ -137,6 +227,8 @@ static inline void put_others(struct record *record) {
   if (put_status(record, gcv_polygon_create_rings(xy, sizes, 2, 0, &polygons[3]))) {
     put_polygon(record, polygons[3]);
     put_images(record, polygons[3]);
+    put_regions(record, polygons[3], polygons[3], 0, GCV_ROUND_NEAREST);
+    put_regions(record, polygons[3], polygons[0], 0, GCV_ROUND_OUTWARD);
   }
   for (k = 0; k < 4; ++k) gcv_polygon_destroy(polygons[k]);
 }
@@ -169,6 +261,8 @@ static inline void put_pair(struct record *record, const gcv_polygon *a, const g
   for (rounding = GCV_ROUND_NEAREST; rounding <= GCV_ROUND_OUTWARD; ++rounding) {
     put_sums(record, a, b, 0, rounding);
     put_sums(record, a, b, tolerance, rounding);
+    put_regions(record, a, b, 0, rounding);
+    put_regions(record, a, b, tolerance, rounding);
     put_simplified(record, a, tolerance, rounding);
     put_simplified(record, b, tolerance, rounding);
   }

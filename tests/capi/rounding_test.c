@@ -81,7 +81,7 @@ static void closing_slit(void) {
   gcv_polygon *one = POLYGON(-1, -1, 0, -1, 0, 0, -1, 0), *two = POLYGON(0, 0, 2, 0, 2, 1, 0, 1);
   gcv_polygon *simple = NULL;
   gcv_outer_face *face = NULL;
-  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0};
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
   double xy[2 * MOST_VERTICES] = {0};
   size_t count = 0, k;
 

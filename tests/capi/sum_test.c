@@ -202,6 +202,33 @@ static void wkt_round_trip(void) {
   gcv_polygon_destroy(polygon);
 }
 
+static int exact_indices_are(const gcv_outer_face *face, const uint64_t *expected, size_t count) {
+  uint64_t indices[MOST_VERTICES];
+  size_t required = 0;
+  CHECK_OK(gcv_outer_face_exact_indices(face, indices, MOST_VERTICES, &required));
+  return required == count && memcmp(indices, expected, count * sizeof *indices) == 0;
+}
+
+/* Which exact vertex each vertex stands for. Far away, the two ends of a short edge fall together:
+ * then it is the first of them. */
+static void exact_indices(void) {
+  static const uint64_t all[] = {0, 1, 2, 3, 4}, first_of_two[] = {0, 1, 2, 4};
+  const double near[2] = {0, 0}, far[2] = {0x1p60, 0x1p60};
+  gcv_polygon *chamfered = POLYGON(0, 0, 1024, 0, 1024, 1023, 1023, 1024, 0, 1024);
+  gcv_polygon *block = POLYGON(0, 0, 256, 0, 256, 256, 0, 256);
+  gcv_outer_face *face = NULL;
+  CHECK_OK(gcv_no_fit_polygon(chamfered, block, near, NULL, &face));
+  CHECK(exact_indices_are(face, all, 5));
+  gcv_outer_face_destroy(face);
+  CHECK_OK(gcv_no_fit_polygon(chamfered, block, far, NULL, &face));
+  CHECK(face_is(face, RING(0x1p60 - 256, 0x1p60 - 256, 0x1p60 + 1024, 0x1p60 - 256, 0x1p60 + 1024,
+                           0x1p60 + 1024, 0x1p60 - 256, 0x1p60 + 1024)));
+  CHECK(exact_indices_are(face, first_of_two, 4));
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(chamfered);
+  gcv_polygon_destroy(block);
+}
+
 static void out_of_range(void) {
   const double reference[2] = {-1.7e308, 0}, away[2] = {1.7e308, 0};
   gcv_polygon *right = POLYGON(1.7e308, 0, 1.7e308, 1, 1.6e308, 0);
@@ -246,6 +273,7 @@ int main(void) {
   index_past_the_end();
   rings_go_on();
   wkt_round_trip();
+  exact_indices();
   out_of_range();
   destroy_polygons();
   return check_failures != 0;

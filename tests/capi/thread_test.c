@@ -6,10 +6,11 @@
 
 #include "record.h"
 
-enum { THREADS = 8, ROUNDS = 4 };
+enum { THREADS = 8, ROUNDS = 2 };
 
 static gcv_polygon *polygons[PAIRS][2];
 static gcv_outer_face *shared_face;
+static gcv_region *shared_region;
 
 static void put_everything(struct record *record) {
   int pair;
@@ -17,6 +18,7 @@ static void put_everything(struct record *record) {
     put_pair(record, polygons[pair][0], polygons[pair][1], pair_tolerances[pair]);
   }
   put_face(record, shared_face);
+  put_region(record, shared_region);
   put_others(record);
   put_refusals(record);
 }
@@ -37,8 +39,12 @@ int main(void) {
     CHECK_OK(pair_polygon(pair, 1, &polygons[pair][1]));
   }
   shared_face = sum_of(polygons[1][0], polygons[1][1]);
+  CHECK_OK(gcv_minkowski_sum_region(polygons[1][0], polygons[1][1], NULL, &shared_region));
   put_everything(&reference);
   CHECK(reference.size > 10000);
+  /* A new one, so that the threads are the first to locate points in it. */
+  gcv_region_destroy(shared_region);
+  CHECK_OK(gcv_minkowski_sum_region(polygons[1][0], polygons[1][1], NULL, &shared_region));
 
   for (k = 0; k < THREADS; ++k) {
     if (!CHECK(pthread_create(&threads[k], NULL, work, records[k]) == 0)) return 1;
@@ -52,6 +58,7 @@ int main(void) {
   }
 
   gcv_outer_face_destroy(shared_face);
+  gcv_region_destroy(shared_region);
   for (pair = 0; pair < PAIRS; ++pair) {
     gcv_polygon_destroy(polygons[pair][0]);
     gcv_polygon_destroy(polygons[pair][1]);

@@ -226,6 +226,40 @@ void starve_sums(const gcv::faults::Pair& pair) {
   }
 }
 
+void starve_regions(const gcv::faults::Pair& pair) {
+  static constexpr double point[] = {0.5, -0.25};
+  const gcv_polygon* const a = pair.a.get();
+  const gcv_polygon* const b = pair.b.get();
+  for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
+    const gcv_options options = gcv::faults::options(rounding);
+    const std::string of =
+        std::string(" of ") + pair.name + ", rounding " + std::to_string(rounding);
+    starve("gcv_minkowski_sum_region" + of, handle<gcv_region>([=](gcv_region** out) {
+             return gcv_minkowski_sum_region(a, b, &options, out);
+           }));
+    starve("gcv_no_fit_region" + of, handle<gcv_region>([=](gcv_region** out) {
+             return gcv_no_fit_region(a, b, point, &options, out);
+           }));
+    starve("gcv_inner_fit_region" + of, handle<gcv_region>([=](gcv_region** out) {
+             return gcv_inner_fit_region(a, b, point, &options, out);
+           }));
+  }
+  const Owner<gcv_region> owner = gcv::faults::made<gcv_region>(
+      [=](gcv_region** out) { return gcv_minkowski_sum_region(a, b, nullptr, out); });
+  const gcv_region* const region = owner.get();
+  const std::string of = std::string(" of ") + pair.name;
+  starve("gcv_region_wkt" + of, text([=](char* out, std::size_t capacity, std::size_t* required) {
+           return gcv_region_wkt(region, out, capacity, required);
+         }));
+  starve("gcv_region_fits_wkt" + of,
+         text([=](char* out, std::size_t capacity, std::size_t* required) {
+           return gcv_region_fits_wkt(region, out, capacity, required);
+         }));
+  starve("gcv_region_polygon" + of, handle<gcv_polygon>([=](gcv_polygon** out) {
+           return gcv_region_polygon(region, 0, out);
+         }));
+}
+
 void starve_all_of(const gcv::faults::Pair& pair) {
   const std::string of = std::string(" of ") + pair.name;
   const gcv_polygon* const a = pair.a.get();
@@ -234,6 +268,7 @@ void starve_all_of(const gcv::faults::Pair& pair) {
       [=](gcv_outer_face** out) { return gcv_minkowski_sum(a, b, nullptr, out); });
   const gcv_outer_face* const face = owner.get();
   starve_sums(pair);
+  starve_regions(pair);
   starve("gcv_outer_face_exact_vertex" + of,
          text([=](char* out, std::size_t capacity, std::size_t* required) {
            return gcv_outer_face_exact_vertex(face, 1, out, capacity, required);

@@ -21,6 +21,7 @@ struct Destroy {
   void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
   void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
   void operator()(gcv_superset* superset) const { gcv_superset_destroy(superset); }
+  void operator()(gcv_region* region) const { gcv_region_destroy(region); }
 };
 
 template <class Handle>
@@ -70,6 +71,10 @@ inline std::vector<Pair> pairs() {
        4});
   pairs.push_back({"convex", read("POLYGON ((0 0, 0.1 0, 0.2 0.1, 0.1 0.3))"),
                    read("POLYGON ((0 0, 0.7 0, 0.7 0.1, 0 0.1))"), 1});
+  pairs.push_back({"holes",
+                   read("POLYGON ((0 0, 12 0, 12 7, 6 6.9, 0 7), (1 1, 5 1, 5 5, 1 4), "
+                        "(7 2, 9 2, 9 4, 7 4))"),
+                   read("POLYGON ((0 0, 2 0, 2 2, 0 2))"), 1});
   pairs.push_back({"all magnitudes",
                    read("POLYGON ((-1e100 1e-300, 3 -1e-310, 1e17 1, 5e15 1e30))"),
                    read("POLYGON ((0 0, 1e-200 1e-200, 1 1e-308, 1e9 1e-9, 0.1 1e5))"), 1e10});
@@ -90,6 +95,13 @@ inline gcv_stats stats(const gcv_outer_face* face) {
   return stats;
 }
 
+inline gcv_stats stats(const gcv_region* region) {
+  gcv_stats stats{};
+  stats.struct_size = sizeof stats;
+  require(gcv_region_stats(region, &stats));
+  return stats;
+}
+
 // ----------------------------------------------------------------------- transcripts --
 
 template <class Number>
@@ -102,6 +114,16 @@ void append(std::string& bytes, gcv_status (*get)(const Handle*, Number*), const
   Number number{};
   require(get(handle, &number));
   append(bytes, number);
+}
+
+inline void append(std::string& bytes, const gcv_stats& s) {
+  append(bytes, s.walk_steps);
+  append(bytes, s.candidate_edges);
+  append(bytes, s.predicates_filtered);
+  append(bytes, s.predicates_fixed_width);
+  append(bytes, s.predicates_rational);
+  append(bytes, s.vertices_repaired);
+  append(bytes, s.parts_dropped);
 }
 
 // get(out, capacity, &required) fills a buffer.
@@ -161,13 +183,43 @@ inline std::string transcript(const gcv_outer_face* face) {
       return gcv_outer_face_exact_vertex(face, k, out, capacity, required);
     });
   }
-  const gcv_stats s = stats(face);
-  append(bytes, s.walk_steps);
-  append(bytes, s.candidate_edges);
-  append(bytes, s.predicates_filtered);
-  append(bytes, s.predicates_fixed_width);
-  append(bytes, s.predicates_rational);
-  append(bytes, s.vertices_repaired);
+  append_elements<std::uint64_t>(
+      bytes, [&](std::uint64_t* out, std::size_t capacity, std::size_t* required) {
+        return gcv_outer_face_exact_indices(face, out, capacity, required);
+      });
+  append(bytes, stats(face));
+  return bytes;
+}
+
+inline std::string transcript(const gcv_region* region) {
+  std::string bytes;
+  append(bytes, gcv_region_error_bound, region);
+  append(bytes, gcv_region_area, region);
+  append_elements<Vertex>(bytes, [&](Vertex* out, std::size_t capacity, std::size_t* required) {
+    return gcv_region_vertices(region, reinterpret_cast<double*>(out), capacity, required);
+  });
+  for (const auto parts : {gcv_region_parts, gcv_region_exact_parts}) {
+    append_elements<gcv_region_part>(
+        bytes, [&](gcv_region_part* out, std::size_t capacity, std::size_t* required) {
+          return parts(region, out, capacity, required);
+        });
+  }
+  append_elements<gcv_edge_source>(
+      bytes, [&](gcv_edge_source* out, std::size_t capacity, std::size_t* required) {
+        return gcv_region_edge_sources(region, out, capacity, required);
+      });
+  for (const auto numbers : {gcv_region_exact_indices, gcv_region_edge_owners}) {
+    append_elements<std::uint64_t>(
+        bytes, [&](std::uint64_t* out, std::size_t capacity, std::size_t* required) {
+          return numbers(region, out, capacity, required);
+        });
+  }
+  for (const auto text : {gcv_region_wkt, gcv_region_fits_wkt}) {
+    append_elements<char>(bytes, [&](char* out, std::size_t capacity, std::size_t* required) {
+      return text(region, out, capacity, required);
+    });
+  }
+  append(bytes, stats(region));
   return bytes;
 }
 

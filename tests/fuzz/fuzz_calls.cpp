@@ -5,215 +5,71 @@
 // nothing may be written beyond a buffer, nor anywhere on failure.
 #include <array>
 #include <cmath>
-#include <limits>
 #include <vector>
 
-#include "fuzz.hpp"
+#include "region_calls.hpp"
 
 namespace {
 
+using gcv::fuzz::any_rounding;
+using gcv::fuzz::any_tolerance;
+using gcv::fuzz::Bytes;
 using gcv::fuzz::check;
-using gcv::fuzz::Input;
+using gcv::fuzz::Faults;
+using gcv::fuzz::is_rounding;
+using gcv::fuzz::is_tolerance;
+using gcv::fuzz::Options;
+using gcv::fuzz::untouched;
+using gcv::fuzz::untouched_byte;
 
-constexpr unsigned char untouched_byte = 0xa5;
-constexpr std::size_t sentinels = 32;
-
-using Bytes = std::vector<unsigned char>;
-using Statuses = std::initializer_list<gcv_status>;
-
-bool untouched(const Bytes& bytes, std::size_t from) {
-  return std::all_of(bytes.begin() + static_cast<std::ptrdiff_t>(from), bytes.end(),
-                     [](unsigned char byte) { return byte == untouched_byte; });
-}
-
-// What is wrong with the arguments of a call: each fault explains a status.
-class Faults {
+class Session : private gcv::fuzz::RegionCalls {
  public:
-  // Gives its second argument.
-  bool add_if(bool is_fault, gcv_status status) {
-    if (is_fault) {
-      statuses_.push_back(status);
-    }
-    return is_fault;
-  }
-  template <class Pointer>
-  Pointer* pointer(Pointer* p) {
-    add_if(p == nullptr, GCV_ERR_NULL_ARGUMENT);
-    return p;
-  }
-  [[nodiscard]] bool none() const { return statuses_.empty(); }
-  [[nodiscard]] bool explain(gcv_status status) const {
-    return std::find(statuses_.begin(), statuses_.end(), status) != statuses_.end();
-  }
-
- private:
-  std::vector<gcv_status> statuses_;
-};
-
-std::int32_t any_rounding(Input& input) {
-  return input.one_of<std::int32_t>({0, 1, 0, 1, 2, -1, INT32_MIN, INT32_MAX});
-}
-double any_tolerance(Input& input) {
-  return input.one_of({0.0, 0.0, -0.0, 0.5, 1e-300, -1.0, std::nan(""), HUGE_VAL});
-}
-bool is_rounding(std::int32_t rounding) { return rounding == 0 || rounding == 1; }
-bool is_tolerance(double tolerance) { return tolerance >= 0 && tolerance < HUGE_VAL; }
-
-// Options of any size and with any values, in just as much memory; or NULL.
-class Options {
- public:
-  Options(Input& input, Faults& faults) {
-    const std::size_t size =
-        input.one_of<std::size_t>({16, 40, 40, 0, 4, 12, 15, 17, 24, 64, SIZE_MAX});
-    if (size == SIZE_MAX) {
-      return;
-    }
-    gcv_options options;
-    gcv_options_init(&options);
-    options.struct_size = static_cast<std::uint32_t>(size);
-    options.rounding = any_rounding(input);
-    options.tolerance = any_tolerance(input);
-    options.threads = input.one_of<std::int32_t>({1, 1, 1, 0, 2, 3, -1, INT32_MIN});
-    const auto unknown = static_cast<unsigned char>(input.below(2));
-    bytes_.assign(std::max(size, sizeof options.struct_size), unknown);
-    std::memcpy(bytes_.data(), &options, std::min(bytes_.size(), sizeof options));
-    const bool is_first = size == 16;  // the size of the first version
-    faults.add_if((!is_first && size < sizeof options) || (size > sizeof options && unknown != 0) ||
-                      !is_rounding(options.rounding) || !is_tolerance(options.tolerance) ||
-                      (!is_first && options.threads < 0),
-                  GCV_ERR_INVALID_ARGUMENT);
-  }
-
-  [[nodiscard]] const gcv_options* get() const {
-    return bytes_.empty() ? nullptr : reinterpret_cast<const gcv_options*>(bytes_.data());
-  }
-
- private:
-  Bytes bytes_;
-};
-
-class Session {
- public:
-  Session(const std::uint8_t* data, std::size_t size) : input_(data, size) {}
+  Session(const std::uint8_t* data, std::size_t size) : RegionCalls(data, size) {}
 
   void run() {
     using Call = void (Session::*)();
-    static constexpr Call calls[] = {&Session::create,        &Session::create_wkt,
-                                     &Session::sum,           &Session::no_fit,
-                                     &Session::entrance,      &Session::superset,
-                                     &Session::face_polygon,  &Session::polygon_numbers,
-                                     &Session::face_numbers,  &Session::polygon_vertices,
-                                     &Session::face_vertices, &Session::exact_vertex,
-                                     &Session::edge_sources,  &Session::wkt,
-                                     &Session::edges,         &Session::stats,
-                                     &Session::destroy,       &Session::constants,
-                                     &Session::simplified,    &Session::create_rings,
-                                     &Session::create_many,   &Session::disc,
-                                     &Session::affine,        &Session::ring};
+    static constexpr Call calls[] = {&Session::create,
+                                     &Session::create_wkt,
+                                     &Session::sum,
+                                     &Session::no_fit,
+                                     &Session::entrance,
+                                     &Session::superset,
+                                     &Session::face_polygon,
+                                     &Session::polygon_numbers,
+                                     &Session::face_numbers,
+                                     &Session::polygon_vertices,
+                                     &Session::face_vertices,
+                                     &Session::exact_vertex,
+                                     &Session::edge_sources,
+                                     &Session::wkt,
+                                     &Session::edges,
+                                     &Session::stats,
+                                     &Session::destroy,
+                                     &Session::constants,
+                                     &Session::simplified,
+                                     &Session::create_rings,
+                                     &Session::create_many,
+                                     &Session::disc,
+                                     &Session::affine,
+                                     &Session::ring,
+                                     &Session::sum_region,
+                                     &Session::no_fit_region,
+                                     &Session::entrance_region,
+                                     &Session::inner_fit_region,
+                                     &Session::region_many,
+                                     &Session::region_numbers,
+                                     &Session::region_lists,
+                                     &Session::region_texts,
+                                     &Session::region_polygon,
+                                     &Session::locate,
+                                     &Session::region_stats,
+                                     &Session::exact_indices};
     for (int steps = 0; steps < 64 && !input_.empty(); ++steps) {
       (this->*input_.one_of(calls))();
     }
   }
 
  private:
-  template <class Handle>
-  using Slots = std::array<std::unique_ptr<Handle, gcv::fuzz::Destroy>, 3>;
-
-  // --------------------------------------------------------------------- verdicts --
-
-  // Gives whether the call went well.
-  bool judge(const char* call, gcv_status status, const Faults& faults, Statuses others = {}) {
-    const char* const message = gcv_last_error_message();
-    check(faults.none() ? status == GCV_OK || gcv::fuzz::contains(others, status)
-                        : faults.explain(status),
-          std::string(call) + " gave " + gcv_status_name(status));
-    check(status == GCV_OK ? message_ == message : *message != '\0' && std::strlen(message) < 512,
-          std::string(call) + " gave a wrong message");
-    message_ = message;
-    return status == GCV_OK;
-  }
-
-  // call(&out) gives a new handle for a slot, or leaves `out` alone.
-  template <class Handle, class Call>
-  void make(const char* name, Slots<Handle>& slots, Faults& faults, Statuses others, Call call) {
-    static Handle* const nothing = reinterpret_cast<Handle*>(&slots);
-    auto& slot = slots[input_.below(slots.size())];
-    Handle* out = nothing;
-    const bool well =
-        judge(name, call(faults.pointer(input_.below(16) == 0 ? nullptr : &out)), faults, others);
-    check(well ? out != nothing && out != nullptr : out == nothing, "a handle or not?");
-    if (well) {
-      slot.reset(out);
-    }
-  }
-
-  // call(out) writes `count` numbers to out, or none.
-  template <class Number, class Call>
-  void get(const char* name, std::size_t count, Faults& faults, Statuses others, Call call) {
-    Bytes bytes(count * sizeof(Number) + sentinels, untouched_byte);
-    auto* const out = reinterpret_cast<Number*>(bytes.data());
-    const bool well =
-        judge(name, call(faults.pointer(input_.below(8) == 0 ? nullptr : out)), faults, others);
-    check(untouched(bytes, well ? count * sizeof(Number) : 0), "a getter writes where it must not");
-  }
-
-  // call(out, capacity, &required), with buffers of all kinds. Gives what was written.
-  template <class Element, class Call>
-  Bytes fill(const char* name, Faults faults, Call call) {
-    std::size_t count = 0;
-    if (faults.none()) {
-      count = SIZE_MAX;
-      judge(name, call(nullptr, std::size_t{0}, &count), faults);
-      check(count < SIZE_MAX, std::string(name) + " does not say how many");
-    }
-    enum { none, null, too_small, exact, larger, nowhere };
-    const std::size_t kind = input_.below(6);
-    const std::size_t difference = 1 + input_.below(8);
-    const std::size_t capacity = kind == none        ? 0
-                                 : kind == too_small ? count - std::min(count, difference)
-                                 : kind == exact     ? count
-                                                     : count + difference;
-    std::size_t required = 0;
-    Bytes bytes(capacity * sizeof(Element) + sentinels, untouched_byte);
-    auto* const out =
-        kind == none || kind == null ? nullptr : reinterpret_cast<Element*>(bytes.data());
-    faults.add_if(kind == null || kind == nowhere, GCV_ERR_NULL_ARGUMENT);
-    const bool small = faults.add_if(capacity < count && out != nullptr, GCV_ERR_BUFFER_TOO_SMALL);
-    const bool well =
-        judge(name, call(out, capacity, kind == nowhere ? nullptr : &required), faults);
-    check(!(well || small) || required == count, std::string(name) + " requires other sizes");
-    const std::size_t written = well && out != nullptr ? count * sizeof(Element) : 0;
-    check(untouched(bytes, written), std::string(name) + " writes where it must not");
-    bytes.resize(written);
-    return bytes;
-  }
-
-  template <class Element, class Call>
-  void fill_text(const char* name, const Faults& faults, Call call) {
-    const Bytes text = fill<Element>(name, faults, call);
-    check(text.empty() || std::find(text.begin(), text.end(), '\0') == text.end() - 1,
-          std::string(name) + " does not end in NUL");
-  }
-
-  // -------------------------------------------------------------------- arguments --
-
-  template <class Handle>
-  const Handle* pick(const Slots<Handle>& slots, Faults& faults) {
-    return faults.pointer(slots[input_.below(slots.size())].get());
-  }
-
-  double number() {
-    static constexpr double special[] = {
-        HUGE_VAL, -HUGE_VAL, std::numeric_limits<double>::quiet_NaN(),
-        1e308,    -1.7e308,  5e-324,
-        1e-308,   -0.0,      0.1,
-        1e17,     1e-17,     3.5};
-    const std::size_t k = input_.below(256);
-    return k < std::size(special) ? special[k] : static_cast<double>(k % 16);
-  }
-
-  // --------------------------------------------------------------------- the calls --
-
   void create() {
     Faults faults;
     const auto stride = input_.one_of<std::size_t>({0, 0, 0, 16, 17, 24, 40, 1, 8, 15});
@@ -396,9 +252,8 @@ class Session {
     const gcv_polygon* const a = pick(polygons_, faults);
     const gcv_polygon* const b = pick(polygons_, faults);
     const Options options(input_, faults);
-    const std::array<double, 2> point{number(), number()};
-    const double* const given = faults.pointer(input_.below(16) == 0 ? nullptr : point.data());
-    faults.add_if(!std::isfinite(point[0]) || !std::isfinite(point[1]), GCV_ERR_NOT_FINITE);
+    std::array<double, 2> point{};
+    const double* const given = reference(point, faults);
     make(name, faces_, faults, {GCV_ERR_RANGE},
          [&](gcv_outer_face** out) { return function(a, b, given, options.get(), out); });
   }
@@ -421,14 +276,6 @@ class Session {
          [&](gcv_polygon** out) { return gcv_outer_face_polygon(face, out); });
   }
 
-  template <class Number, class Handle>
-  void number_of(const char* name, const Slots<Handle>& slots, std::size_t count, Statuses others,
-                 gcv_status (*function)(const Handle*, Number*)) {
-    Faults faults;
-    const Handle* const handle = pick(slots, faults);
-    get<Number>(name, count, faults, others, [&](Number* out) { return function(handle, out); });
-  }
-
   void polygon_numbers() {
     number_of<std::size_t>("gcv_polygon_vertex_count", polygons_, 1, {}, gcv_polygon_vertex_count);
     number_of<double>("gcv_polygon_area", polygons_, 1, {GCV_ERR_RANGE}, gcv_polygon_area);
@@ -443,11 +290,6 @@ class Session {
     number_of<double>("gcv_outer_face_error_bound", faces_, 1, {}, gcv_outer_face_error_bound);
     number_of<double>("gcv_outer_face_area", faces_, 1, {GCV_ERR_RANGE}, gcv_outer_face_area);
   }
-
-  struct Vertex {
-    double x;
-    double y;
-  };
 
   void polygon_vertices() {
     Faults faults;
@@ -513,29 +355,26 @@ class Session {
         });
   }
 
-  void stats() {
+  void exact_indices() {
     Faults faults;
     const gcv_outer_face* const face = pick(faces_, faults);
-    const auto size = input_.one_of<std::uint32_t>({sizeof(gcv_stats), 57, 64, 200, 0, 4, 55});
-    faults.add_if(size < sizeof(gcv_stats), GCV_ERR_INVALID_ARGUMENT);
-    Bytes bytes(std::max<std::size_t>(size, sizeof size) + sentinels, untouched_byte);
-    std::memcpy(bytes.data(), &size, sizeof size);
-    auto* const out = reinterpret_cast<gcv_stats*>(bytes.data());
-    const bool well = judge(
-        "gcv_outer_face_stats",
-        gcv_outer_face_stats(face, faults.pointer(input_.below(8) == 0 ? nullptr : out)), faults);
-    check(std::memcmp(bytes.data(), &size, sizeof size) == 0, "struct_size has changed");
-    check(untouched(bytes, well ? size : sizeof size),
-          "gcv_outer_face_stats writes where it must not");
+    fill<std::uint64_t>("gcv_outer_face_exact_indices", faults,
+                        [&](std::uint64_t* out, std::size_t capacity, std::size_t* required) {
+                          return gcv_outer_face_exact_indices(face, out, capacity, required);
+                        });
   }
+
+  void stats() { stats_of("gcv_outer_face_stats", faces_, gcv_outer_face_stats); }
 
   void destroy() {
     polygons_[input_.below(polygons_.size())].reset();
     faces_[input_.below(faces_.size())].reset();
     supersets_[input_.below(supersets_.size())].reset();
+    regions_[input_.below(regions_.size())].reset();
     gcv_polygon_destroy(nullptr);
     gcv_outer_face_destroy(nullptr);
     gcv_superset_destroy(nullptr);
+    gcv_region_destroy(nullptr);
   }
 
   void constants() {
@@ -550,12 +389,6 @@ class Session {
                           static_cast<std::uint32_t>(size));
     check(untouched(bytes, size < 16 ? 0 : size), "gcv_options_init_size writes elsewhere");
   }
-
-  Input input_;
-  std::string message_ = gcv_last_error_message();
-  Slots<gcv_polygon> polygons_;
-  Slots<gcv_outer_face> faces_;
-  Slots<gcv_superset> supersets_;
 };
 
 }  // namespace

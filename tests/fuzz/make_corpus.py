@@ -82,13 +82,15 @@ def calls() -> dict[str, bytes]:
         create, create_wkt, sum_, no_fit, entrance, superset, face_polygon, polygon_numbers,
         face_numbers, polygon_vertices, face_vertices, exact_vertex, edge_sources, wkt, edges,
         stats, destroy, constants, simplified, create_rings, create_many, disc, affine, ring,
-    ) = range(24)  # fmt: skip
-    all_calls = range(24)
+        sum_region, no_fit_region, entrance_region, inner_fit_region, region_many, region_numbers,
+        region_lists, region_texts, region_polygon, locate, region_stats, exact_indices,
+    ) = range(36)  # fmt: skip
+    all_calls = range(36)
 
     def polygon(text: int, slot: int = 0) -> bytes:
         return bytes([create_wkt, text, 1, 1, slot, 1])
 
-    options = bytes(4)
+    options = bytes(6)
     made = bytes([0, 1])  # to slot 0, an output that is not NULL
     point = bytes([17, 18])
     ready = (
@@ -96,6 +98,12 @@ def calls() -> dict[str, bytes]:
         + polygon(1, 1)
         + bytes([sum_, 0, 1]) + options + made
         + bytes([superset, 0, 1]) + made
+    )  # fmt: skip
+    with_regions = (
+        ready
+        + bytes([sum_region, 0, 1]) + options + made
+        + bytes([no_fit_region, 1, 0]) + options + point + b"\1" + bytes([1, 1])
+        + bytes([entrance_region, 0, 1]) + options + point + b"\1" + bytes([2, 1])
     )  # fmt: skip
     vertices = bytes([16, 16, 20, 16, 16, 19])
     numbers = bytes([polygon_numbers, 0, 1, 0, 1, 0, 1, face_numbers, 0, 1, 0, 1, 0, 1, 0, 1])
@@ -141,6 +149,25 @@ def calls() -> dict[str, bytes]:
         + bytes([sum_, 0, 0]) + options + made
         + numbers,
         "overflow": polygon(2) + bytes([sum_, 0, 0]) + options + made,
+        "regions": with_regions
+        + bytes([region_numbers, 0, 1, 0, 1, region_polygon, 0, 0, 0, 1])
+        + b"".join(bytes([region_lists, list_, 0, 3, 0]) for list_ in range(6))
+        + b"".join(bytes([region_texts, text, 0, 3, 0]) for text in (1, 2))
+        + bytes([region_texts, 0, 0, 1, 3, 0])
+        + bytes([exact_indices, 0, 3, 0]),
+        "inner_fits": ready
+        + b"".join(
+            bytes([inner_fit_region, 0, 1, 1, 0, 0, 0, leave_out, 0]) + point + b"\1" + made
+            for leave_out in range(8)
+        ),
+        "many_regions": ready
+        + bytes([region_many, 3, 0, 1, 16, 17, 1, 0, 18, 0, 2, 0, 16, 16]) + options + b"\1"
+        + bytes([region_numbers, 0, 1, 0, 1]),
+        "places": with_regions
+        + bytes([locate, 0, 4, 16, 16, 17, 20, 23, 28, 30, 31, 1])
+        + bytes([locate, 0, 2, 16, 2, 17, 20, 1, locate, 0, 0, 0, locate, 0, 1, 16, 16, 0]),
+        "region_stats": with_regions
+        + b"".join(bytes([region_stats, 0, size, 1]) for size in range(9)) + bytes(3),
         "underflow": polygon(3) + bytes([sum_, 0, 0]) + options + made + numbers,
         "stats": ready + b"".join(bytes([stats, 0, size, 1]) for size in range(7)) + bytes(3),
         "indices": ready
@@ -148,10 +175,11 @@ def calls() -> dict[str, bytes]:
             bytes([exact_vertex, 0, index, kind, 0]) for index in range(6) for kind in range(6)
         ),
     }  # fmt: skip
-    for k, name in enumerate(("sizes", "roundings", "tolerances")):
+    for k, name in enumerate(("sizes", "roundings", "tolerances", "threads", "leave_outs")):
+        whole = bytes([1]) + options[1:]
         inputs[f"options_{name}"] = ready + b"".join(
-            bytes([sum_, 0, 1]) + options[:k] + bytes([value]) + options[k + 1 :] + made
-            for value in range(11)
+            bytes([sum_, 0, 1]) + whole[:k] + bytes([value]) + whole[k + 1 :] + made
+            for value in range(15)
         )
     for k, name in enumerate(("tolerances", "roundings")):
         arguments = bytes([3, 1])
@@ -161,7 +189,7 @@ def calls() -> dict[str, bytes]:
             + bytes([sum_, 2, 0]) + options + made
             for value in range(8)
         )  # fmt: skip
-    inputs["options_unknown"] = ready + bytes([sum_, 0, 1, 9, 0, 0, 1]) + made
+    inputs["options_unknown"] = ready + bytes([sum_, 0, 1, 9, 0, 0, 0, 0, 1]) + made
     for name, call in (
         ("polygon_vertices", polygon_vertices), ("face_vertices", face_vertices),
         ("edge_sources", edge_sources), ("wkt", wkt), ("edges", edges),

@@ -1,15 +1,24 @@
 /*
- * gcv.h - the outer face of the Minkowski sum of two polygons, exactly.
+ * gcv.h - Minkowski sums of two polygons, exactly: outer faces and whole regions.
  *
  * Copyright (C) 2026 The libgcv authors
  * SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * The Minkowski sum of two polygons A and B is A + B = { a + b : a in A, b in B }.
- * Its outer face is bounded by one simple polygon, the ring that these functions
- * compute, after the paper "Generalized Contributing Vertices-Based Method for
- * Minkowski Sum Outer-Face of Two Polygons". The no-fit polygon of nesting codes
- * and the entrance block of contact detection are the same set with one polygon
- * reflected.
+ * The Minkowski sum of two polygons A and B is A + B = { a + b : a in A, b in B }. Polygons
+ * may have holes. There are two answers:
+ *
+ * - A gcv_outer_face is the boundary of the unbounded face outside of the sum: one simple
+ *   ring, after the paper "Generalized Contributing Vertices-Based Method for Minkowski Sum
+ *   Outer-Face of Two Polygons". The ring says nothing about the inside of the sum.
+ * - A gcv_region is the whole sum: its outer ring, its holes, and the segments and points
+ *   where one polygon fits the other exactly.
+ *
+ * The no-fit polygon of nesting codes and the entrance block of contact detection are the
+ * same sums with one polygon reflected. The inner-fit region is where a polygon may go inside
+ * a container.
+ *
+ * Two polygons overlap if their interiors meet. Else they are apart or touch: a position
+ * where they do not overlap is free.
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
  * number. Every decision of the computation is exact for every such input. There is
@@ -32,8 +41,8 @@
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
- * do not depend on one another: a polygon may be destroyed before an outer face that
- * was computed from it.
+ * do not depend on one another: a polygon may be destroyed before an outer face or a region
+ * that was computed from it.
  *
  * Buffers. Buffers are the caller's, and are passed as (out, capacity, &required):
  * capacity counts elements (vertices, edges, or bytes for text). *required is set
@@ -348,13 +357,23 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_bounds(const gcv_polygon *polygon, 
 
 /** How exact coordinates become doubles: values of gcv_options.rounding. */
 enum {
-  /** Each coordinate is the double nearest to the exact one, ties to even. Where the
-   *  ring would not be simple, vertices are moved apart by a few units in the last
-   *  place, so that the thinnest slit of the exact ring stays open. */
+  /** Each coordinate is the double nearest to the exact one, ties to even. Where a
+   *  ring would not be simple, or rings would cross, vertices are moved apart by a few units
+   *  in the last place, so that the thinnest slit of an exact ring stays open. */
   GCV_ROUND_NEAREST = 0,
-  /** The returned region contains the exact one, so that a part that is placed on the
-   *  ring never overlaps. Slits thinner than a few units in the last place close. */
+  /** A returned sum contains the exact one. A returned inner-fit region lies inside the exact
+   *  one. So a part that is placed on a ring never overlaps. Slits and holes thinner than a
+   *  few units in the last place close. Segments and points that doubles cannot show exactly
+   *  are dropped. */
   GCV_ROUND_OUTWARD = 1
+};
+
+/** What a computation leaves out, to save time: bits of gcv_options.leave_out. @since 0.2 */
+enum {
+  /** The holes of a sum. Not for inner fits: obstacles would be free there. */
+  GCV_LEAVE_OUT_HOLES = 1,
+  /** Segments and points: positions where one polygon fits the other exactly. */
+  GCV_LEAVE_OUT_FITS = 2
 };
 
 /**
@@ -372,7 +391,7 @@ typedef struct gcv_options {
    *  counted. Finite, not negative. Above 0, each polygon is first simplified by at
    *  most half of the tolerance (see gcv_polygon_simplified), if that saves a quarter
    *  of its vertices. The exact ring is then that of the simplified polygons. With
-   *  GCV_ROUND_OUTWARD the result still contains the exact sum. */
+   *  GCV_ROUND_OUTWARD the result still contains the exact sum. Must be 0 for inner fits. */
   double tolerance;
   /** The number of threads that work on the sum, the calling one included. 1 by
    *  default; 0 for as many as the machine runs at once; above 256 counts as 256. The
@@ -386,16 +405,17 @@ typedef struct gcv_options {
   int32_t (*progress)(void *context, uint64_t done, uint64_t estimate);
   /** Handed to `progress`. */
   void *progress_context;
+  /** GCV_LEAVE_OUT_HOLES and GCV_LEAVE_OUT_FITS, added up. 0 by default: a region has all of
+   *  its parts. Outer faces have neither: these bits change nothing for them. @since 0.2 */
+  uint64_t leave_out;
 } gcv_options;
 
 /** The default options, as an initialiser. */
 #define GCV_OPTIONS_INIT \
-  { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL }
+  { sizeof(gcv_options), GCV_ROUND_NEAREST, 0.0, 1, NULL, NULL, 0 }
 
-/** Sets the default options. Writes as many bytes as the struct of the running library has, so
- *  the caller's struct must not be smaller. Programs that may run with a later library than they
- *  were compiled for start from GCV_OPTIONS_INIT instead. NULL is allowed and does nothing.
- *  @since 0.1 */
+/** Sets the default options. Writes as many bytes as the struct has in the version that the
+ *  program was linked with. NULL is allowed and does nothing. @since 0.1 */
 GCV_API void gcv_options_init(gcv_options *options);
 
 /**
@@ -473,6 +493,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum(const gcv_polygon *a, const g
  * without width and at a single free point, as where one polygon just fits the other,
  * they touch and do not overlap. The ring has none of these positions, unless they are
  * connected with the outside by a gap, however narrow, in the doubles passed in.
+ * gcv_no_fit_region has all of them.
  *
  * @param fixed      the polygon that stays.
  * @param moving     the polygon that goes around it.
@@ -492,7 +513,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon(const gcv_polygon *fixed,
 
 /**
  * Shi's entrance block E(A, B) = { b - a + a0 } = B + (-A) + a0, for contact
- * detection: where the point a0 of block A may go while A and B touch.
+ * detection: where the point a0 of block A may go while A and B touch. What holds on the
+ * ring, outside and inside of it is as in gcv_no_fit_polygon.
  *
  * @param a        the block A, which moves.
  * @param b        the block B.
@@ -530,6 +552,26 @@ GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum_many(const gcv_polygon *const
                                                         const gcv_polygon *const *b, size_t count,
                                                         const gcv_options *options,
                                                         gcv_outer_face **out, gcv_status *statuses);
+
+/**
+ * Many no-fit polygons: out[k] becomes the outer face of fixed[k] + (-moving[k]) + reference
+ * k, for every k below `count`, as by gcv_no_fit_polygon.
+ *
+ * @param fixed       `count` polygons; a handle may occur any number of times.
+ * @param moving      as many, and likewise. Each is reflected once.
+ * @param references  x0 y0 x1 y1 ...: `count` reference points. One that is not finite fails
+ *                    its pair.
+ * @param count       the number of pairs; with 0 nothing is read or written.
+ * @param options     for all pairs, or NULL for the defaults.
+ * @param out         room for `count` outer faces, the caller's to end; NULL for a pair
+ *                    that failed.
+ * @param statuses    room for `count` statuses, each as gcv_no_fit_polygon would return.
+ * @return as gcv_minkowski_sum_many, with GCV_ERR_NULL_ARGUMENT for references too.
+ * Exactness, threads: as gcv_no_fit_polygon. Cost: that of the sums. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon_many(
+    const gcv_polygon *const *fixed, const gcv_polygon *const *moving, const double *references,
+    size_t count, const gcv_options *options, gcv_outer_face **out, gcv_status *statuses);
 
 /** Ends an outer face. NULL is allowed. @since 0.1 */
 GCV_API void gcv_outer_face_destroy(gcv_outer_face *face);
@@ -629,6 +671,26 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
                                                              size_t *required);
 
 /**
+ * The exact vertex that each returned vertex stands for. With it, gcv_outer_face_edge_sources
+ * tells where the returned edges come from.
+ *
+ * If several exact vertices fell together, it is the first of them. If rounding made a new
+ * vertex, it is the start of the exact edge that the new vertex lies closest to.
+ *
+ * @param out       indices for gcv_outer_face_exact_vertex: room for `capacity` elements; or
+ *                  NULL.
+ * @param capacity  in elements.
+ * @param required  the number of vertices, as gcv_outer_face_vertex_count gives it.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
+ * Exactness: exact but for new vertices, where the distance is measured in doubles. Cost:
+ * O(n log n), where n counts the vertices of both rings; each call finds the indices anew.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_outer_face_exact_indices(const gcv_outer_face *face,
+                                                              uint64_t *out, size_t capacity,
+                                                              size_t *required);
+
+/**
  * An upper bound on the Hausdorff distance between the returned ring and the exact
  * ring, in input units. It is 0 if every exact coordinate is a double. It is half a unit in
  * the last place of each coordinate if nothing had to be repaired, and a few units in most
@@ -700,20 +762,408 @@ typedef struct gcv_stats {
   uint64_t predicates_fixed_width;
   /** Predicates that needed arbitrary-precision arithmetic. */
   uint64_t predicates_rational;
-  /** Vertices moved further than to the nearest double to keep the ring simple. */
+  /** Vertices moved further than to the nearest double to keep rings simple and apart. */
   uint64_t vertices_repaired;
+  /** Parts of the exact region that are not in the returned one, for doubles cannot show
+   *  them. Always 0 for outer faces. @since 0.2 */
+  uint64_t parts_dropped;
 } gcv_stats;
 
 /**
  * The cost of the computation of this outer face. The counts are the same on every
- * run with the same version of the library.
+ * run with the same version of the library and the same number of threads.
  *
- * @param out  with struct_size set; as many bytes as it says are written.
+ * @param out  with struct_size set; as many bytes as it says are written. A struct of
+ *             version 0.1 is filled as far as it goes.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for a
  *         struct_size below that of version 0.1.
  * Cost: O(1). Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_outer_face_stats(const gcv_outer_face *face, gcv_stats *out);
+
+/* ---------------------------------------------------------------- regions -- */
+
+/** Polygons with holes, segments and points. Opaque, immutable. @since 0.2 */
+typedef struct gcv_region gcv_region;
+
+/** What a part of a region is: gcv_region_part.kind. @since 0.2 */
+enum {
+  /** The outer ring of a polygon, counter-clockwise. */
+  GCV_PART_OUTER = 1,
+  /** The ring of a hole in the polygon before it, clockwise. */
+  GCV_PART_HOLE = 2,
+  /** A segment: two vertices. One polygon fits the other exactly, and has room along a line
+   *  only. */
+  GCV_PART_SEGMENT = 3,
+  /** A point: one vertex. One polygon fits the other exactly, and has no room at all. */
+  GCV_PART_POINT = 4
+};
+
+/** One part of a region. Never grows. @since 0.2 */
+typedef struct gcv_region_part {
+  /** GCV_PART_OUTER, GCV_PART_HOLE, GCV_PART_SEGMENT or GCV_PART_POINT. */
+  int32_t kind;
+  /** The number of the polygon, from 0; UINT32_MAX for segments and points. */
+  uint32_t polygon;
+  /** The number of vertices of the part. */
+  uint64_t vertex_count;
+} gcv_region_part;
+
+/** Where a point lies: results of gcv_region_locate. @since 0.2 */
+enum { GCV_INSIDE = 1, GCV_BOUNDARY = 0, GCV_OUTSIDE = -1 };
+
+/**
+ * The Minkowski sum A + B with all of its holes, and the exact fits in it.
+ *
+ * The interior of the region is the open sum: the sums of an inner point of A and an inner
+ * point of B. Its holes are what the open sum leaves free. A segment or a point of the region
+ * is free too, but without free positions beside it: there, A and the reflection of B fit
+ * exactly.
+ *
+ * There is one polygon. Its outer ring is the ring of gcv_minkowski_sum, vertex for vertex.
+ *
+ * @param a        the polygon A, with its holes.
+ * @param b        the polygon B, with its holes; the same handle may be given twice.
+ * @param options  or NULL for the defaults.
+ * @param out      the new region, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
+ *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
+ *         where the result is so small that in doubles it has no area;
+ *         GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ * Exactness: the exact parts (gcv_region_exact_parts, gcv_region_exact_vertex) are exact; the
+ * doubles of gcv_region_vertices are rounded from them as the options say.
+ * Cost: that of gcv_minkowski_sum, and a search along the superset edges that can bound a
+ * hole or a fit. GCV_LEAVE_OUT_HOLES and GCV_LEAVE_OUT_FITS together save that search.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum_region(const gcv_polygon *a,
+                                                          const gcv_polygon *b,
+                                                          const gcv_options *options,
+                                                          gcv_region **out);
+
+/**
+ * The no-fit region fixed + (-moving) + reference: where the point `reference`, tied to
+ * `moving`, may not go.
+ *
+ * With the point in the interior of the region and on no segment and no point of it, the two
+ * polygons overlap. With the point anywhere else they do not: outside the outer ring and inside
+ * the holes they are apart; on the rings, the segments and the points they touch.
+ *
+ * @param fixed      the polygon that stays, with its holes.
+ * @param moving     the polygon that goes around it or into it, with its holes.
+ * @param reference  x and y of the reference point of `moving`, finite.
+ * @param options    or NULL for the defaults.
+ * @param out        the new region, the caller's. In its sources, a is an index in `fixed`
+ *                   and b one in `moving`.
+ * @return as gcv_minkowski_sum_region, and GCV_ERR_NOT_FINITE for the reference point.
+ * Exactness: the reference point is added exactly, before rounding. Cost, threads:
+ * as gcv_minkowski_sum_region. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_no_fit_region(const gcv_polygon *fixed,
+                                                   const gcv_polygon *moving,
+                                                   const double reference[2],
+                                                   const gcv_options *options, gcv_region **out);
+
+/**
+ * The whole of Shi's entrance block E(A, B) = B + (-A) + a0: where the point a0 of block A may
+ * not go. It is gcv_no_fit_region of B and A with other names.
+ *
+ * @param a        the block A, which moves, with its holes.
+ * @param b        the block B, with its holes.
+ * @param a0       x and y of the reference point of A, finite.
+ * @param options  or NULL for the defaults.
+ * @param out      the new region, the caller's. In its sources, a is an index in `a` and b
+ *                 one in `b`.
+ * @return as gcv_no_fit_region. Exactness, cost, threads: as there.
+ * Source: the paper, section 1 (applications). @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_entrance_region(const gcv_polygon *a, const gcv_polygon *b,
+                                                     const double a0[2], const gcv_options *options,
+                                                     gcv_region **out);
+
+/**
+ * The inner-fit region: where the point `reference`, tied to `moving`, may go with `moving`
+ * inside the container.
+ *
+ * Touching the container from inside is allowed. The holes of the container are solid. The
+ * region is several polygons with holes, segments and points, or empty. All of it is free, its
+ * boundary too.
+ *
+ * @param container  the polygon that `moving` stays in, with its holes.
+ * @param moving     the polygon that moves, with its holes.
+ * @param reference  x and y of the reference point of `moving`, finite.
+ * @param options    or NULL for the defaults. The tolerance must be 0, and holes cannot be
+ *                   left out.
+ * @param out        the new region, the caller's. In its sources, a is an index in `container`
+ *                   and b one in `moving`.
+ * @return as gcv_no_fit_region; GCV_ERR_INVALID_ARGUMENT also for a tolerance above 0 and for
+ *         GCV_LEAVE_OUT_HOLES; GCV_ERR_RANGE also where, with GCV_ROUND_OUTWARD, a hole is too
+ *         thin for doubles. A region without parts is GCV_OK.
+ * Exactness: as gcv_no_fit_region; with GCV_ROUND_OUTWARD the returned region lies inside the
+ * exact one. Cost: as a sum of the two polygons. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_inner_fit_region(const gcv_polygon *container,
+                                                      const gcv_polygon *moving,
+                                                      const double reference[2],
+                                                      const gcv_options *options, gcv_region **out);
+
+/**
+ * Many sums: out[k] becomes the region of a[k] + b[k], for every k below `count`, as by
+ * gcv_minkowski_sum_region. The pairs are shared out over options->threads threads. A pair
+ * that fails leaves the others as they are.
+ *
+ * @param a         `count` polygons; a handle may occur any number of times.
+ * @param b         as many, and likewise.
+ * @param count     their number; with 0 nothing is read or written.
+ * @param options   for all pairs, or NULL for the defaults.
+ * @param out       room for `count` regions, the caller's to end; NULL for a pair that
+ *                  failed.
+ * @param statuses  room for `count` statuses, each as gcv_minkowski_sum_region would return.
+ * @return as gcv_minkowski_sum_many.
+ * Exactness, threads: as gcv_minkowski_sum_region. Cost: that of the sums. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_minkowski_sum_region_many(
+    const gcv_polygon *const *a, const gcv_polygon *const *b, size_t count,
+    const gcv_options *options, gcv_region **out, gcv_status *statuses);
+
+/**
+ * Many no-fit regions: out[k] becomes the region of fixed[k] + (-moving[k]) + reference k, for
+ * every k below `count`, as by gcv_no_fit_region.
+ *
+ * @param fixed       `count` polygons; a handle may occur any number of times.
+ * @param moving      as many, and likewise. Each is reflected once.
+ * @param references  x0 y0 x1 y1 ...: `count` reference points. One that is not finite fails
+ *                    its pair.
+ * @param count       the number of pairs; with 0 nothing is read or written.
+ * @param options     for all pairs, or NULL for the defaults.
+ * @param out         room for `count` regions, the caller's to end; NULL for a pair that
+ *                    failed.
+ * @param statuses    room for `count` statuses, each as gcv_no_fit_region would return.
+ * @return as gcv_minkowski_sum_many, with GCV_ERR_NULL_ARGUMENT for references too.
+ * Exactness, threads: as gcv_no_fit_region. Cost: that of the sums. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_no_fit_region_many(const gcv_polygon *const *fixed,
+                                                        const gcv_polygon *const *moving,
+                                                        const double *references, size_t count,
+                                                        const gcv_options *options,
+                                                        gcv_region **out, gcv_status *statuses);
+
+/** Ends a region. NULL is allowed. @since 0.2 */
+GCV_API void gcv_region_destroy(gcv_region *region);
+
+/**
+ * The parts of the region in doubles, in the order of their vertices in gcv_region_vertices:
+ * for each polygon its outer ring, then its holes; then the segments; then the points.
+ *
+ * The order is that of the exact parts, see gcv_region_exact_parts. A part that doubles cannot
+ * show is not there. A segment whose ends fall together is a point.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of parts; 0 for an empty region.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Cost: O(parts). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_parts(const gcv_region *region, gcv_region_part *out,
+                                                  size_t capacity, size_t *required);
+
+/**
+ * The vertices of all parts in doubles, part after part as gcv_region_parts has them. Rings are
+ * not closed.
+ *
+ * In these doubles every ring is simple, no two rings cross, and holes lie in their polygon.
+ * Vertices that fall together are given once. No polygon and no hole is lost where doubles can
+ * show it. What had to move or go is in gcv_region_error_bound, and in
+ * gcv_stats.vertices_repaired and gcv_stats.parts_dropped.
+ *
+ * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.
+ * @param capacity  in vertices.
+ * @param required  the number of vertices of all parts.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: with GCV_ROUND_NEAREST each coordinate is correctly rounded, save those
+ * of the vertices that gcv_stats.vertices_repaired counts. With GCV_ROUND_OUTWARD a sum
+ * contains the exact one, an inner-fit region lies inside the exact one, and segments and
+ * points are exact. Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_vertices(const gcv_region *region, double *xy,
+                                                     size_t capacity, size_t *required);
+
+/**
+ * The parts of the exact region. They are canonical: the same set has the same parts, whatever
+ * the polygons that it was computed from.
+ *
+ * Outer rings are counter-clockwise, holes clockwise. Each ring starts in its lexicographically
+ * smallest vertex and has no collinear vertices. Polygons, and the holes of one polygon, are in
+ * the lexicographic order of that vertex; ties by the vertices that follow. A ring visits no
+ * point twice, and bounds one face of the interior. Where two rings touch, each has a vertex
+ * only if it has a corner there.
+ *
+ * The ends of a segment are in lexicographic order, segments in that of their ends, points in
+ * their own. Segments are maximal and straight. They are not cut where segments cross, and are
+ * cut where they meet a ring. Points lie on no ring and on no segment.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of parts; 0 for an empty region.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * With a tolerance, the exact region is that of the simplified polygons.
+ * Exactness: exact, whatever the rounding. Cost: O(parts). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_exact_parts(const gcv_region *region,
+                                                        gcv_region_part *out, size_t capacity,
+                                                        size_t *required);
+
+/**
+ * One vertex of the exact region as two fractions, "p/q r/s": in lowest terms,
+ * denominators positive and always written.
+ *
+ * @param index     from 0 to the number of vertices of all exact parts less 1; part after part.
+ * @param text      room for `capacity` bytes; or NULL.
+ * @param capacity  in bytes.
+ * @param required  the length of the text with its final NUL.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_INVALID_ARGUMENT for the index,
+ *         GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
+ * Exactness: exact. Cost: O(1) rational operations, at each call. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_exact_vertex(const gcv_region *region, size_t index,
+                                                         char *text, size_t capacity,
+                                                         size_t *required);
+
+/**
+ * The exact vertex that each returned vertex stands for. With it, gcv_region_edge_sources and
+ * gcv_region_edge_owners tell where the returned edges come from.
+ *
+ * If several exact vertices fell together, it is the first of them. If rounding made a new
+ * vertex, it is the start of the exact edge that the new vertex lies closest to.
+ *
+ * @param out       indices for gcv_region_exact_vertex: room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of vertices, as gcv_region_vertices gives it.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Exactness: exact but for new vertices, where the distance is measured in doubles.
+ * Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_exact_indices(const gcv_region *region, uint64_t *out,
+                                                          size_t capacity, size_t *required);
+
+/**
+ * The source of every edge of the exact region: element i is for the edge from exact vertex i
+ * to the next vertex of its part. The second end of a segment and a point have no edge: kind,
+ * a and b are 0 there. Otherwise as gcv_outer_face_edge_sources.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of vertices of all exact parts.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL, GCV_ERR_NO_MEMORY.
+ * Exactness, cost, threads: as gcv_outer_face_edge_sources. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_edge_sources(const gcv_region *region,
+                                                         gcv_edge_source *out, size_t capacity,
+                                                         size_t *required);
+
+/**
+ * The owner of every edge of the exact region: the id of the polygon that made it, of a scene.
+ * Regions of two polygons come from no scene: all of their owners are 0.
+ *
+ * @param ids       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of vertices of all exact parts.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_edge_owners(const gcv_region *region, uint64_t *ids,
+                                                        size_t capacity, size_t *required);
+
+/**
+ * The area of the returned polygons without their holes, in square units. Segments and points
+ * have none. 0 for an empty region.
+ *
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where the area is larger
+ *         than any finite double.
+ * Exactness: the area of the rings of doubles, correctly rounded. Cost: O(n).
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_area(const gcv_region *region, double *out);
+
+/**
+ * An upper bound on the distance between the returned boundary and the exact one, in input
+ * units. The boundary is all rings, segments and points. No point of the returned boundary is
+ * further than the bound from the exact one. No point of an exact part is further than the
+ * bound from what is returned for it. A ring that was dropped counts with its extents. Segments
+ * and points that were dropped do not count. It is 0 if every exact coordinate is a double.
+ * With a tolerance it is a bound between sets, as in gcv_outer_face_error_bound.
+ *
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
+ * Exactness: a certified bound, rounded up. Cost: O(1). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_error_bound(const gcv_region *region, double *out);
+
+/**
+ * The returned polygons as Well-Known Text: always a MULTIPOLYGON, "MULTIPOLYGON (((x y, ...,
+ * x y), (hole)), ...)", or "MULTIPOLYGON EMPTY". Rings are closed. Each number has the fewest
+ * digits that read back as the same double. Without segments and points.
+ *
+ * @param text      room for `capacity` bytes; or NULL.
+ * @param capacity  in bytes.
+ * @param required  the length of the text with its final NUL.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL,
+ *         GCV_ERR_NO_MEMORY.
+ * Exactness: reads back to the doubles of gcv_region_vertices. Cost: O(n), at
+ * each call. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_wkt(const gcv_region *region, char *text,
+                                                size_t capacity, size_t *required);
+
+/**
+ * The returned segments and points as Well-Known Text: "GEOMETRYCOLLECTION (LINESTRING (x y, x
+ * y), ..., POINT (x y), ...)", or "GEOMETRYCOLLECTION EMPTY". Otherwise as gcv_region_wkt.
+ *
+ * @param text      room for `capacity` bytes; or NULL.
+ * @param capacity  in bytes.
+ * @param required  the length of the text with its final NUL.
+ * @return as gcv_region_wkt. Exactness, cost, threads: as there. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_fits_wkt(const gcv_region *region, char *text,
+                                                     size_t capacity, size_t *required);
+
+/**
+ * One returned polygon with its holes, ready for the next sum.
+ *
+ * @param polygon  its number, as in gcv_region_part.
+ * @param out      the new polygon, the caller's. Its numbers count its vertices in
+ *                 gcv_region_vertices, from 0 in each polygon.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for the number;
+ *         GCV_ERR_NO_MEMORY.
+ * Exactness: the doubles of gcv_region_vertices. Cost: O(n log n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_polygon(const gcv_region *region, size_t polygon,
+                                                    gcv_polygon **out);
+
+/**
+ * Where points lie in the exact region.
+ *
+ * @param xy     x0 y0 x1 y1 ...: `count` points, finite.
+ * @param count  their number; with 0 nothing is read or written.
+ * @param out    room for `count` elements. Each becomes GCV_INSIDE in the interior of a
+ *               polygon, GCV_BOUNDARY on a ring, a segment or a point, else GCV_OUTSIDE. A
+ *               hole is outside.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_NOT_FINITE, and the message names the point;
+ *         GCV_ERR_NO_MEMORY. On failure no element is written.
+ * Exactness: exact, whatever the rounding. Cost: the first call makes an index, O(n log n);
+ * then O(log n) a point for most regions. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_locate(const gcv_region *region, const double *xy,
+                                                   size_t count, int8_t *out);
+
+/**
+ * The cost of the computation of this region. The counts are the same on every run with the
+ * same version of the library and the same number of threads.
+ *
+ * @param out  with struct_size set; as many bytes as it says are written. A struct of
+ *             version 0.1 is filled as far as it goes.
+ * @return as gcv_outer_face_stats. Cost: O(1). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_stats *out);
 
 /* --------------------------------------------------------------- superset -- */
 

@@ -58,22 +58,23 @@ static inline const char *gcvx_message(gcv_status status, char *text) {
 /*
  * The body of a function that gives in *out, allocated, the *count elements that `call`
  * writes: asks for their number, then for them. `call` has (buffer, capacity, &required).
+ * Takes one byte more, for malloc(0) may give NULL.
  */
-#define GCVX_ALLOCATED(type, element_size, call, out, count)     \
-  type *buffer = NULL;                                           \
-  size_t capacity = 0, required = 0;                             \
-  gcv_status status = call;                                      \
-  if (status != GCV_OK) return status;                           \
-  buffer = GCVX_CAST(type *, malloc(required * (element_size))); \
-  if (buffer == NULL) return GCVX_ERR_SYSTEM;                    \
-  capacity = required;                                           \
-  status = call;                                                 \
-  if (status != GCV_OK) {                                        \
-    free(buffer);                                                \
-    return status;                                               \
-  }                                                              \
-  *(out) = buffer;                                               \
-  *(count) = required;                                           \
+#define GCVX_ALLOCATED(type, element_size, call, out, count)         \
+  type *buffer = NULL;                                               \
+  size_t capacity = 0, required = 0;                                 \
+  gcv_status status = call;                                          \
+  if (status != GCV_OK) return status;                               \
+  buffer = GCVX_CAST(type *, malloc(required * (element_size) + 1)); \
+  if (buffer == NULL) return GCVX_ERR_SYSTEM;                        \
+  capacity = required;                                               \
+  status = call;                                                     \
+  if (status != GCV_OK) {                                            \
+    free(buffer);                                                    \
+    return status;                                                   \
+  }                                                                  \
+  *(out) = buffer;                                                   \
+  *(count) = required;                                               \
   return GCV_OK
 
 /**
@@ -135,6 +136,37 @@ GCV_NODISCARD static inline gcv_status gcvx_outer_face_exact_vertex(const gcv_ou
   size_t size = 0;
   GCVX_ALLOCATED(char, 1, gcv_outer_face_exact_vertex(face, index, buffer, capacity, &required),
                  text, &size);
+}
+
+/**
+ * gcv_region_parts into memory of its own.
+ *
+ * @param count  the number of parts; 0 for an empty region, with memory to free all the same.
+ * @return as gcv_region_parts, and GCVX_ERR_SYSTEM without memory.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_region_parts(const gcv_region *region,
+                                                         gcv_region_part **parts, size_t *count) {
+  GCVX_ALLOCATED(gcv_region_part, sizeof(gcv_region_part),
+                 gcv_region_parts(region, buffer, capacity, &required), parts, count);
+}
+
+/** gcv_region_vertices into memory of its own; as gcvx_region_parts. */
+GCV_NODISCARD static inline gcv_status gcvx_region_vertices(const gcv_region *region, double **xy,
+                                                            size_t *count) {
+  GCVX_ALLOCATED(double, 2 * sizeof(double),
+                 gcv_region_vertices(region, buffer, capacity, &required), xy, count);
+}
+
+/** gcv_region_wkt into memory of its own, or GCVX_ERR_SYSTEM without memory. */
+GCV_NODISCARD static inline gcv_status gcvx_region_wkt(const gcv_region *region, char **text) {
+  size_t size = 0;
+  GCVX_ALLOCATED(char, 1, gcv_region_wkt(region, buffer, capacity, &required), text, &size);
+}
+
+/** gcv_region_fits_wkt into memory of its own, or GCVX_ERR_SYSTEM without memory. */
+GCV_NODISCARD static inline gcv_status gcvx_region_fits_wkt(const gcv_region *region, char **text) {
+  size_t size = 0;
+  GCVX_ALLOCATED(char, 1, gcv_region_fits_wkt(region, buffer, capacity, &required), text, &size);
 }
 
 #undef GCVX_ALLOCATED
