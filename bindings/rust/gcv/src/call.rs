@@ -88,13 +88,19 @@ pub(crate) fn create_many<T: Made>(
     results
 }
 
+/// The number of elements that a function writes to a buffer.
+pub(crate) fn count<T>(call: impl Fn(*mut T, usize, *mut usize) -> i32) -> usize {
+    let mut count = 0;
+    check(call(ptr::null_mut(), 0, &mut count)).expect(INFALLIBLE);
+    count
+}
+
 /// What a function writes to a buffer: asks for the number of elements, then for them.
 pub(crate) fn elements<T>(call: impl Fn(*mut T, usize, *mut usize) -> i32) -> Vec<T>
 where
     T: Clone + Default,
 {
-    let mut count = 0;
-    check(call(ptr::null_mut(), 0, &mut count)).expect(INFALLIBLE);
+    let mut count = count(&call);
     let mut out = vec![T::default(); count];
     check(call(out.as_mut_ptr(), count, &mut count)).expect(INFALLIBLE);
     out

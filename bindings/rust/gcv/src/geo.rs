@@ -4,8 +4,9 @@
 //! Polygons from and to those of geo-types.
 
 use geo_types::{Coord, LineString, Point as GeoPoint, Polygon as GeoPolygon};
+use geo_types::{MultiLineString, MultiPoint, MultiPolygon};
 
-use crate::{Error, OuterFace, Point, Polygon};
+use crate::{Error, OuterFace, Point, Polygon, Region};
 
 impl Point for Coord<f64> {
     fn xy(&self) -> [f64; 2] {
@@ -49,5 +50,36 @@ impl From<&Polygon> for GeoPolygon<f64> {
 impl From<&OuterFace> for GeoPolygon<f64> {
     fn from(face: &OuterFace) -> Self {
         GeoPolygon::new(LineString::from(face.vertices()), vec![])
+    }
+}
+
+/// The polygons of a region, with their holes as interiors; without its segments and points.
+impl From<&Region> for MultiPolygon<f64> {
+    fn from(region: &Region) -> Self {
+        let polygon = |rings: Vec<Vec<[f64; 2]>>| {
+            let mut rings = rings.into_iter().map(LineString::from);
+            let outer = rings.next().expect("a polygon has an outer ring");
+            GeoPolygon::new(outer, rings.collect())
+        };
+        MultiPolygon(region.polygons().map(polygon).collect())
+    }
+}
+
+/// The segments of a region, without its polygons and points.
+impl From<&Region> for MultiLineString<f64> {
+    fn from(region: &Region) -> Self {
+        let segments = region.segments().into_iter();
+        MultiLineString(
+            segments
+                .map(|ends| LineString::from(ends.to_vec()))
+                .collect(),
+        )
+    }
+}
+
+/// The points of a region, without its polygons and segments.
+impl From<&Region> for MultiPoint<f64> {
+    fn from(region: &Region) -> Self {
+        MultiPoint(region.points().into_iter().map(GeoPoint::from).collect())
     }
 }

@@ -22,6 +22,10 @@ impl Made for sys::gcv_outer_face {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_outer_face_destroy;
 }
 
+impl Made for sys::gcv_region {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_region_destroy;
+}
+
 impl Made for sys::gcv_superset {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_superset_destroy;
 }

@@ -1,10 +1,14 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-//! The outer face of the Minkowski sum of two polygons, exactly.
+//! Minkowski sums of two polygons, exactly: outer faces and whole regions.
+//!
+//! An [`OuterFace`] is one ring, the boundary of the unbounded face outside of the sum. A
+//! [`Region`] is the whole sum: its outer ring, its holes, and the segments and points where
+//! one polygon fits the other exactly; or where a polygon may go inside a container.
 //!
 //! Every coordinate is a finite `f64` and stands for exactly that number; nothing is
-//! rounded but the coordinates that are handed back as `f64`. Polygons and outer faces
+//! rounded but the coordinates that are handed back as `f64`. Polygons, outer faces and regions
 //! never change, so threads may share them.
 //!
 //! ```
@@ -24,6 +28,8 @@
 
 mod call;
 mod error;
+#[cfg(feature = "num-rational")]
+mod exact;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod handle;
@@ -31,17 +37,27 @@ mod options;
 mod outer_face;
 mod point;
 mod polygon;
+mod region;
+mod regions;
 mod source;
+mod stats;
 mod sums;
 
 pub use error::{status, Error, ErrorKind};
 pub use options::{Options, Rounding};
-pub use outer_face::{OuterFace, Stats};
+pub use outer_face::OuterFace;
 pub use point::Point;
 pub use polygon::Polygon;
+pub use region::{Location, Part, PartKind, Region};
+pub use regions::{
+    entrance_region, inner_fit_region, minkowski_sum_region, minkowski_sum_region_many,
+    no_fit_region, no_fit_region_many,
+};
 pub use source::EdgeSource;
+pub use stats::Stats;
 pub use sums::{
-    entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon, superset, SupersetEdge,
+    entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon, no_fit_polygon_many,
+    superset, SupersetEdge,
 };
 
 /// The version of the library that is running, such as `"0.2.0"`.

@@ -17,10 +17,12 @@ use gcv_sys as sys;
 #[non_exhaustive]
 pub enum Rounding {
     /// To the nearest `f64`, save where vertices must move further, by a few units in
-    /// the last place, for the ring to be simple.
+    /// the last place, for rings to be simple and not to cross.
     #[default]
     Nearest,
-    /// So that the returned region contains the exact one.
+    /// So that a returned sum contains the exact one, and a returned inner-fit region lies
+    /// inside the exact one: what is placed on a ring never overlaps. Segments and points
+    /// that `f64` cannot show exactly are dropped.
     Outward,
 }
 
@@ -57,16 +59,21 @@ pub struct Options<'a> {
     tolerance: f64,
     threads: usize,
     progress: Option<Progress<'a>>,
+    leave_out_holes: bool,
+    leave_out_fits: bool,
 }
 
 impl<'a> Options<'a> {
-    /// Rounding to nearest, one thread, no tolerance, nothing that hears of progress.
+    /// Rounding to nearest, one thread, no tolerance, nothing that hears of progress, nothing
+    /// left out.
     pub fn new() -> Self {
         Self {
             rounding: Rounding::Nearest,
             tolerance: 0.,
             threads: 1,
             progress: None,
+            leave_out_holes: false,
+            leave_out_fits: false,
         }
     }
 
@@ -80,8 +87,9 @@ impl<'a> Options<'a> {
     /// How far, in input units, the result may be from the exact one beside the rounding;
     /// finite, from 0 on. Above 0, each polygon is first simplified by at most half of it,
     /// see [`Polygon::simplified`](crate::Polygon::simplified), where that saves a quarter of
-    /// its vertices, and the exact ring is that of the simplified polygons. With [`Rounding::Outward`] the result still contains the
-    /// exact sum.
+    /// its vertices, and the exact ring is that of the simplified polygons. With
+    /// [`Rounding::Outward`] the result still contains the exact sum. Must be 0 for inner
+    /// fits.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -125,6 +133,47 @@ impl<'a> Options<'a> {
         self
     }
 
+    /// Whether the holes of a sum are left out, to save time. Not for inner fits: obstacles
+    /// would be free there. Outer faces have no holes anyway.
+    ///
+    /// ```
+    /// use gcv::{minkowski_sum_region, Options, Polygon};
+    ///
+    /// # fn main() -> Result<(), gcv::Error> {
+    /// let frame: Polygon = "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 8 1, 8 8, 1 8))".parse()?;
+    /// let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]])?;
+    /// let area = |options: Options| minkowski_sum_region(&frame, &square, &options)?.area();
+    /// assert_eq!(area(Options::new())?, 100. - 36.);
+    /// assert_eq!(area(Options::new().leave_out_holes(true))?, 100.);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn leave_out_holes(mut self, leave_out: bool) -> Self {
+        self.leave_out_holes = leave_out;
+        self
+    }
+
+    /// Whether the segments and points of a region are left out, to save time: positions
+    /// where one polygon fits the other exactly. Outer faces have none anyway.
+    #[must_use]
+    pub fn leave_out_fits(mut self, leave_out: bool) -> Self {
+        self.leave_out_fits = leave_out;
+        self
+    }
+
+    /// What is left out, in the C interface.
+    fn leave_out(&self) -> u64 {
+        let mut bits = 0;
+        if self.leave_out_holes {
+            bits |= sys::GCV_LEAVE_OUT_HOLES;
+        }
+        if self.leave_out_fits {
+            bits |= sys::GCV_LEAVE_OUT_FITS;
+        }
+        bits
+    }
+
     /// Gives the options to a call of the C interface. What the call gives is dropped
     /// where the progress function panicked, and the panic goes on.
     pub(crate) fn pass<T>(&self, call: impl FnOnce(*const sys::gcv_options) -> T) -> T {
@@ -135,6 +184,7 @@ impl<'a> Options<'a> {
             threads: i32::try_from(self.threads).unwrap_or(i32::MAX),
             progress: None,
             progress_context: ptr::null_mut(),
+            leave_out: self.leave_out(),
         };
         let mut context = self.progress.as_ref().map(|progress| Context {
             progress,
@@ -167,6 +217,8 @@ impl fmt::Debug for Options<'_> {
             .field("tolerance", &self.tolerance)
             .field("threads", &self.threads)
             .field("progress", &self.progress.is_some())
+            .field("leave_out_holes", &self.leave_out_holes)
+            .field("leave_out_fits", &self.leave_out_fits)
             .finish()
     }
 }

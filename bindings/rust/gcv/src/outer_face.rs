@@ -3,20 +3,21 @@
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::mem::size_of;
 
 use gcv_sys as sys;
 
-use crate::call::{check, create, elements, string, value, INFALLIBLE};
+use crate::call::{create, elements, string, value, INFALLIBLE};
 use crate::handle::Handle;
 use crate::polygon::hash_ring;
-use crate::{EdgeSource, Error, Polygon};
+use crate::{stats, EdgeSource, Error, Polygon, Stats};
 
 /// The outer face of a Minkowski sum.
 ///
 /// Made by [`minkowski_sum`](crate::minkowski_sum), [`no_fit_polygon`](crate::no_fit_polygon),
-/// [`entrance_block`](crate::entrance_block) and
-/// [`minkowski_sum_many`](crate::minkowski_sum_many). It never changes: a clone is the same
+/// [`entrance_block`](crate::entrance_block),
+/// [`minkowski_sum_many`](crate::minkowski_sum_many) and
+/// [`no_fit_polygon_many`](crate::no_fit_polygon_many). The whole sum, with its holes, is a
+/// [`Region`](crate::Region). It never changes: a clone is the same
 /// one, and costs nothing. Two are equal where both their rings are, the exact ones and
 /// those in `f64`. As text it is [`OuterFace::wkt`].
 #[derive(Clone)]
@@ -60,12 +61,7 @@ impl OuterFace {
     /// Without memory.
     #[cfg(feature = "num-rational")]
     pub fn exact_rationals(&self) -> Vec<[num_rational::BigRational; 2]> {
-        const FRACTIONS: &str = "libgcv writes two fractions";
-        let convert = |vertex: String| {
-            let (x, y) = vertex.split_once(' ').expect(FRACTIONS);
-            [x, y].map(|fraction| fraction.parse().expect(FRACTIONS))
-        };
-        self.exact_vertices().into_iter().map(convert).collect()
+        crate::exact::rationals(self.exact_vertices())
     }
 
     /// The source of every edge of the exact ring: element `i` is for the edge from
@@ -76,6 +72,22 @@ impl OuterFace {
             sys::gcv_outer_face_edge_sources(self.as_ptr(), out, capacity, required)
         });
         sources.into_iter().map(EdgeSource::from).collect()
+    }
+
+    /// The exact vertex that each vertex of [`OuterFace::vertices`] stands for, as an index in
+    /// [`OuterFace::exact_vertices`] and [`OuterFace::sources`].
+    ///
+    /// If several exact vertices fell together, it is the first of them. If rounding made a
+    /// new vertex, it is the start of the exact edge that the new vertex lies closest to.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn exact_indices(&self) -> Vec<usize> {
+        // SAFETY: see `elements`.
+        let indices: Vec<u64> = elements(|out, capacity, required| unsafe {
+            sys::gcv_outer_face_exact_indices(self.as_ptr(), out, capacity, required)
+        });
+        indices.into_iter().map(|index| index as usize).collect()
     }
 
     /// An upper bound on the Hausdorff distance from [`OuterFace::vertices`] to the exact
@@ -92,7 +104,7 @@ impl OuterFace {
     }
 
     /// The area inside [`OuterFace::vertices`], in square units, correctly rounded. Holes of
-    /// the sum are not subtracted.
+    /// the sum are not subtracted: [`Region::area`](crate::Region::area) does that.
     ///
     /// # Errors
     /// `GCV_ERR_RANGE` where it is larger than any finite `f64`.
@@ -124,20 +136,8 @@ impl OuterFace {
 
     /// What the computation took.
     pub fn stats(&self) -> Stats {
-        let mut stats = sys::gcv_stats {
-            struct_size: size_of::<sys::gcv_stats>() as u32,
-            ..Default::default()
-        };
         // SAFETY: the face is alive, and the struct has the size that it says.
-        check(unsafe { sys::gcv_outer_face_stats(self.as_ptr(), &mut stats) }).expect(INFALLIBLE);
-        Stats {
-            walk_steps: stats.walk_steps,
-            candidate_edges: stats.candidate_edges,
-            predicates_filtered: stats.predicates_filtered,
-            predicates_fixed_width: stats.predicates_fixed_width,
-            predicates_rational: stats.predicates_rational,
-            vertices_repaired: stats.vertices_repaired,
-        }
+        stats::read(|out| unsafe { sys::gcv_outer_face_stats(self.as_ptr(), out) })
     }
 }
 
@@ -170,22 +170,4 @@ impl Hash for OuterFace {
     fn hash<H: Hasher>(&self, state: &mut H) {
         hash_ring(&self.vertices(), state);
     }
-}
-
-/// What a computation took: counts, not times.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct Stats {
-    /// Edges that the walk went along.
-    pub walk_steps: u64,
-    /// Superset edges that it looked at.
-    pub candidate_edges: u64,
-    /// Predicates settled by doubles with a proven error bound or by indices.
-    pub predicates_filtered: u64,
-    /// Predicates settled by pairs of doubles or integers of at most 512 bits.
-    pub predicates_fixed_width: u64,
-    /// Predicates that needed arbitrary-precision arithmetic.
-    pub predicates_rational: u64,
-    /// Vertices moved further than to the nearest double to keep the ring simple.
-    pub vertices_repaired: u64,
 }

@@ -6,6 +6,7 @@ use std::vec;
 use gcv_sys as sys;
 
 use crate::call::{create, create_many, elements};
+use crate::handle::{Handle, Made};
 use crate::{EdgeSource, Error, Options, OuterFace, Polygon};
 
 /// The outer face of the Minkowski sum A + B.
@@ -31,6 +32,7 @@ pub fn minkowski_sum(a: &Polygon, b: &Polygon, options: &Options) -> Result<Oute
 /// they are apart. In a slit without width and at a single free point, as where one polygon
 /// just fits the other, they touch and do not overlap. The ring has none of these positions,
 /// unless a gap connects them with the outside, however narrow, in the doubles passed in.
+/// [`no_fit_region`](crate::no_fit_region) has all of them.
 ///
 /// # Errors
 /// As [`minkowski_sum`], and `GCV_ERR_NOT_FINITE` for the reference point.
@@ -102,23 +104,123 @@ pub fn minkowski_sum_many<'p>(
     pairs: impl IntoIterator<Item = (&'p Polygon, &'p Polygon)>,
     options: &Options,
 ) -> vec::IntoIter<Result<OuterFace, Error>> {
-    let (a, b): (Vec<_>, Vec<_>) = pairs
-        .into_iter()
-        .map(|(a, b)| (a.as_ptr(), b.as_ptr()))
-        .unzip();
-    let count = a.len();
-    let results: Vec<_> = options.pass(|options| {
-        // SAFETY: the polygons are alive, the options are for the call, and there is room
-        // for as many results as there are pairs.
-        create_many(count, "pair", |out, statuses| unsafe {
-            sys::gcv_minkowski_sum_many(a.as_ptr(), b.as_ptr(), count, options, out, statuses)
-        })
-    });
-    let faces: Vec<_> = results
-        .into_iter()
-        .map(|result| result.map(OuterFace))
-        .collect();
-    faces.into_iter()
+    let (a, b) = pointers(pairs);
+    // SAFETY: the polygons are alive, the options are for the call, and there is room for as
+    // many results as there are pairs.
+    many(
+        a.len(),
+        options,
+        OuterFace,
+        |options, out, statuses| unsafe {
+            sys::gcv_minkowski_sum_many(a.as_ptr(), b.as_ptr(), a.len(), options, out, statuses)
+        },
+    )
+}
+
+/// The no-fit polygon of every fixed polygon, moving polygon and reference point, in their
+/// order, each as by [`no_fit_polygon`].
+///
+/// The no-fit polygons are shared out over the threads of the options. All are computed before
+/// the first result is there to take. A moving polygon that occurs many times is reflected
+/// once.
+///
+/// ```
+/// use gcv::{no_fit_polygon_many, Options, Polygon};
+///
+/// # fn main() -> Result<(), gcv::Error> {
+/// let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]])?;
+/// let triangle = Polygon::new(&[[0., 0.], [1., 0.], [0., 1.]])?;
+/// let pairs = [(&square, &triangle, [0., 0.]), (&triangle, &square, [0.5, 0.5])];
+/// let faces: Vec<_> = no_fit_polygon_many(pairs, &Options::new().threads(0))
+///     .collect::<Result<_, _>>()?;
+/// assert_eq!(faces[0].vertices()[0], [-1., 0.]);
+/// assert_eq!(faces[1].vertices()[0], [-0.5, -0.5]);
+/// # Ok(())
+/// # }
+/// ```
+///
+/// # Errors
+/// As [`minkowski_sum_many`], and `GCV_ERR_NOT_FINITE` for a reference point fails its pair.
+pub fn no_fit_polygon_many<'p>(
+    pairs: impl IntoIterator<Item = (&'p Polygon, &'p Polygon, [f64; 2])>,
+    options: &Options,
+) -> vec::IntoIter<Result<OuterFace, Error>> {
+    let pairs = WithReferences::from(pairs);
+    // SAFETY: the polygons are alive, the options are for the call, and there is room for as
+    // many results as there are pairs.
+    many(
+        pairs.count(),
+        options,
+        OuterFace,
+        |options, out, statuses| unsafe {
+            let (fixed, moving, points) = pairs.as_ptrs();
+            let count = pairs.count();
+            sys::gcv_no_fit_polygon_many(fixed, moving, points, count, options, out, statuses)
+        },
+    )
+}
+
+/// The result of every pair, from a function that makes `count` of them.
+pub(crate) fn many<T: Made, R>(
+    count: usize,
+    options: &Options,
+    result: fn(Handle<T>) -> R,
+    call: impl FnOnce(*const sys::gcv_options, *mut *mut T, *mut i32) -> i32,
+) -> vec::IntoIter<Result<R, Error>> {
+    let made = options
+        .pass(|options| create_many(count, "pair", |out, statuses| call(options, out, statuses)));
+    let results: Vec<_> = made.into_iter().map(|made| made.map(result)).collect();
+    results.into_iter()
+}
+
+type Pointers = Vec<*const sys::gcv_polygon>;
+
+/// The polygons of pairs, as lists for the C interface.
+pub(crate) fn pointers<'p>(
+    pairs: impl IntoIterator<Item = (&'p Polygon, &'p Polygon)>,
+) -> (Pointers, Pointers) {
+    let pairs = pairs.into_iter();
+    pairs.map(|(a, b)| (a.as_ptr(), b.as_ptr())).unzip()
+}
+
+/// Fixed polygons, moving polygons and reference points, as lists for the C interface.
+pub(crate) struct WithReferences {
+    fixed: Pointers,
+    moving: Pointers,
+    references: Vec<[f64; 2]>,
+}
+
+impl WithReferences {
+    pub(crate) fn from<'p>(
+        pairs: impl IntoIterator<Item = (&'p Polygon, &'p Polygon, [f64; 2])>,
+    ) -> Self {
+        let mut references = vec![];
+        let (fixed, moving) = pointers(pairs.into_iter().map(|(fixed, moving, reference)| {
+            references.push(reference);
+            (fixed, moving)
+        }));
+        Self {
+            fixed,
+            moving,
+            references,
+        }
+    }
+
+    pub(crate) fn count(&self) -> usize {
+        self.references.len()
+    }
+
+    /// What the lists are at; `count` elements each.
+    pub(crate) fn as_ptrs(
+        &self,
+    ) -> (
+        *const *const sys::gcv_polygon,
+        *const *const sys::gcv_polygon,
+        *const f64,
+    ) {
+        let references = self.references.as_ptr().cast();
+        (self.fixed.as_ptr(), self.moving.as_ptr(), references)
+    }
 }
 
 /// One edge of the superset.
@@ -134,7 +236,8 @@ pub struct SupersetEdge {
 
 /// The superset of the outer face of A + B that the paper builds, for plots and tests.
 ///
-/// It can have in the order of n m edges; sums do not need it.
+/// Holes of the polygons are rings like the outer ones: their edges bound holes of the sum. It
+/// can have in the order of n m edges; sums do not need it.
 ///
 /// # Errors
 /// `GCV_ERR_RANGE` where a coordinate is no finite `f64`; `GCV_ERR_NO_MEMORY`.

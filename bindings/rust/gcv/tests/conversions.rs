@@ -3,12 +3,67 @@
 
 //! From and to the types of other crates, each behind the feature of its name.
 
-use gcv::{minkowski_sum, Options, OuterFace, Polygon};
+use gcv::{inner_fit_region, minkowski_sum, Options, OuterFace, Polygon, Region};
 
 fn sum() -> OuterFace {
     let notched = Polygon::new(&[[0., 0.], [8., 0.], [8., 6.], [3., 1.], [0., 7.]]).unwrap();
     let triangle = Polygon::new(&[[0., 0.], [1., 0.], [0., 1.]]).unwrap();
     minkowski_sum(&notched, &triangle, &Options::new()).unwrap()
+}
+
+/// Where a square of size 2 may go in a container of three rooms: one with a column, one of
+/// its width, one of its size. Corridors of width 1 are between them.
+fn rooms() -> Region {
+    let container = "POLYGON ((0 0, 7 0, 7 1, 8 1, 8 0, 10 0, 10 1, 11 1, 11 0, 13 0, 13 2, \
+                     11 2, 10 2, 10 5, 8 5, 8 2, 7 2, 7 7, 0 7), (3 3, 4 3, 4 4, 3 4))";
+    let square = Polygon::new(&[[0., 0.], [2., 0.], [2., 2.], [0., 2.]]).unwrap();
+    inner_fit_region(
+        &container.parse().unwrap(),
+        &square,
+        [0., 0.],
+        &Options::new(),
+    )
+    .unwrap()
+}
+
+#[test]
+fn rooms_of_all_kinds() {
+    let region = rooms();
+    let polygons: Vec<_> = region.polygons().collect();
+    let outer = vec![[0., 0.], [5., 0.], [5., 5.], [0., 5.]];
+    let hole = vec![[1., 1.], [1., 4.], [4., 4.], [4., 1.]];
+    assert_eq!(polygons, [[outer, hole]]);
+    assert_eq!(region.segments(), [[[8., 0.], [8., 3.]]]);
+    assert_eq!(region.points(), [[11., 0.]]);
+    let fits = "GEOMETRYCOLLECTION (LINESTRING (8 0, 8 3), POINT (11 0))";
+    assert_eq!(region.fits_wkt(), fits);
+}
+
+#[cfg(feature = "geo-types")]
+#[test]
+fn regions_to_geo_types() {
+    use geo_types::{MultiLineString, MultiPoint, MultiPolygon};
+
+    let region = rooms();
+    let MultiPolygon(polygons) = MultiPolygon::from(&region);
+    assert_eq!(polygons.len(), 1);
+    assert!(polygons[0].exterior().is_closed() && polygons[0].interiors()[0].is_closed());
+    assert_eq!(Polygon::try_from(&polygons[0]), region.polygon(0));
+
+    let MultiLineString(lines) = MultiLineString::from(&region);
+    let line = geo_types::LineString::from(vec![(8., 0.), (8., 3.)]);
+    assert_eq!(lines, [line]);
+    let MultiPoint(points) = MultiPoint::from(&region);
+    assert_eq!(points, [geo_types::Point::new(11., 0.)]);
+    let locations = region.locate(&points).unwrap();
+    assert_eq!(locations, [gcv::Location::Boundary]);
+
+    let large = Polygon::new(&[[0., 0.], [9., 0.], [9., 9.], [0., 9.]]).unwrap();
+    let small = region.polygon(0).unwrap();
+    let empty = inner_fit_region(&small, &large, [0., 0.], &Options::new()).unwrap();
+    assert!(MultiPolygon::from(&empty).0.is_empty());
+    assert!(MultiLineString::from(&empty).0.is_empty());
+    assert!(MultiPoint::from(&empty).0.is_empty());
 }
 
 #[cfg(feature = "geo-types")]
@@ -74,6 +129,17 @@ fn rationals() {
         .map(|[x, y]| format!("{}/{} {}/{}", x.numer(), x.denom(), y.numer(), y.denom()));
     assert_eq!(texts.collect::<Vec<_>>(), face.exact_vertices());
     assert_eq!(rationals[4][0].numer(), &10.into());
+}
+
+#[cfg(feature = "num-rational")]
+#[test]
+fn rationals_of_regions() {
+    let region = rooms();
+    let rationals = region.exact_rationals();
+    assert_eq!(rationals.len(), region.exact_vertices().len());
+    let integers = rationals.iter().flatten().map(|number| number.to_integer());
+    let doubles = region.vertices().into_iter().flatten();
+    assert!(integers.eq(doubles.map(|number| (number as i64).into())));
 }
 
 #[test]

@@ -7,7 +7,9 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use gcv::{entrance_block, minkowski_sum, no_fit_polygon, Error, Options, OuterFace, Polygon};
+use gcv::{entrance_block, minkowski_sum, no_fit_polygon};
+use gcv::{entrance_region, inner_fit_region, minkowski_sum_region, no_fit_region};
+use gcv::{Error, Options, OuterFace, PartKind, Polygon, Region};
 
 /// The text of the corpus; none in a package, where cargo leaves its Cargo.toml.orig.
 fn corpus() -> Option<String> {
@@ -26,6 +28,29 @@ fn outcome(face: Result<OuterFace, Error>) -> String {
         Ok(face) => format!("GCV_OK {}", face.exact_vertices().join(", ")),
         Err(error) => error.status_name(),
     }
+}
+
+/// Likewise for a region.
+fn region_outcome(region: Result<Region, Error>) -> String {
+    let region = match region {
+        Ok(region) => region,
+        Err(error) => return error.status_name(),
+    };
+    let vertices = region.exact_vertices();
+    let part = |part: gcv::Part| {
+        let word = match part.kind {
+            PartKind::Outer { .. } => "outer",
+            PartKind::Hole { .. } => "hole",
+            PartKind::Segment => "segment",
+            PartKind::Point => "point",
+        };
+        format!("{word} {}", vertices[part.vertices].join(", "))
+    };
+    let parts: Vec<_> = region.exact_parts().into_iter().map(part).collect();
+    if parts.is_empty() {
+        return "GCV_OK empty".into();
+    }
+    format!("GCV_OK {}", parts.join("; "))
 }
 
 /// "X Y REST" as the point and the rest.
@@ -81,11 +106,31 @@ fn check(corpus: &str) {
                 let face = compute(&operands["a"], &operands["b"], point, &options);
                 (outcome(face), expected)
             }
+            "sum_region" => {
+                let region = minkowski_sum_region(&operands["a"], &operands["b"], &options);
+                (region_outcome(region), rest)
+            }
+            "no_fit_region" | "entrance_region" | "inner_fit_region" => {
+                let (point, expected) = point(rest);
+                let compute = match key {
+                    "no_fit_region" => no_fit_region,
+                    "entrance_region" => entrance_region,
+                    _ => inner_fit_region,
+                };
+                let region = compute(&operands["a"], &operands["b"], point, &options);
+                (region_outcome(region), expected)
+            }
             _ => panic!("{name}: what is {key}?"),
         };
         assert_eq!(found, expected, "{name}: {key}");
     }
-    assert!(["sum", "no_fit", "entrance", "refuse"]
-        .iter()
-        .all(|key| seen.contains_key(key)));
+    let keys = ["sum", "no_fit", "entrance", "refuse"];
+    let region_keys = [
+        "sum_region",
+        "no_fit_region",
+        "entrance_region",
+        "inner_fit_region",
+    ];
+    let mut keys = keys.iter().chain(&region_keys);
+    assert!(keys.all(|key| seen.contains_key(key)), "{seen:?}");
 }

@@ -6,6 +6,7 @@
 use std::f64::consts::TAU;
 
 use gcv::{entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon, Error};
+use gcv::{inner_fit_region, minkowski_sum_region, no_fit_region, Location};
 use gcv::{Options, OuterFace, Polygon, Rounding};
 use proptest::prelude::*;
 
@@ -138,6 +139,37 @@ proptest! {
         for (face, (a, b)) in sums.zip(pairs) {
             prop_assert_eq!(face.unwrap().wkt(), sum(a, b).unwrap().wkt());
         }
+    }
+
+    #[test]
+    fn regions_begin_with_the_outer_face(a in polygons(), b in polygons()) {
+        let (region, face) = (minkowski_sum_region(&a, &b, &Options::new()).unwrap(), sum(&a, &b));
+        let face = face.unwrap();
+        let (vertices, exact) = (region.vertices(), region.exact_vertices());
+        prop_assert_eq!(&region.polygons().next().unwrap()[0], &face.vertices());
+        prop_assert!(exact.starts_with(&face.exact_vertices()));
+        prop_assert_eq!(region.edge_sources().len(), exact.len());
+        prop_assert_eq!(region.edge_owners().len(), exact.len());
+        prop_assert_eq!(region.exact_indices().len(), vertices.len());
+        prop_assert!(region.area().unwrap() <= face.area().unwrap());
+        prop_assert_eq!(region.polygons().len(), 1);
+        let polygon = region.polygon(0).unwrap();
+        prop_assert_eq!(polygon.area(), region.area());
+        prop_assert_eq!(minkowski_sum_region(&b, &a, &Options::new()).unwrap(), region);
+    }
+
+    #[test]
+    fn what_fits_inside_is_inside(a in polygons(), b in polygons()) {
+        let small = b.affine([0.125, 0., 0., 0., 0.125, 0.]).unwrap();
+        let outward = Options::new().rounding(Rounding::Outward);
+        let region = inner_fit_region(&a, &small, [0., 0.], &outward).unwrap();
+        let positions = region.vertices();
+        let locations = region.locate(&positions).unwrap();
+        prop_assert!(!locations.contains(&Location::Outside));
+        // Where it is inside, it overlaps the container: the no-fit region says so too.
+        let no_fit = no_fit_region(&a, &small, [0., 0.], &Options::new()).unwrap();
+        let inside = no_fit.locate(&positions).unwrap();
+        prop_assert!(inside.iter().all(|location| *location == Location::Inside));
     }
 
     #[test]

@@ -1,0 +1,438 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+use std::fmt;
+use std::hash::{Hash, Hasher};
+use std::ops::Range;
+
+use gcv_sys as sys;
+
+use crate::call::{check, count, create, elements, string, value, INFALLIBLE};
+use crate::handle::Handle;
+use crate::polygon::hash_ring;
+use crate::{stats, EdgeSource, Error, Point, Polygon, Stats};
+
+/// Polygons with holes, segments and points: a whole sum, or where a polygon may go inside a
+/// container.
+///
+/// Made by [`minkowski_sum_region`](crate::minkowski_sum_region),
+/// [`no_fit_region`](crate::no_fit_region), [`entrance_region`](crate::entrance_region),
+/// [`inner_fit_region`](crate::inner_fit_region) and those that make many. It may be empty.
+/// It never changes: a clone is the same one, and costs nothing. Two are equal where all their
+/// parts are, the exact ones and those in `f64`. As text it is [`Region::wkt`].
+///
+/// The parts, in their order, are for each polygon its outer ring and then its holes; then
+/// the segments; then the points. Outer rings are counter-clockwise, holes clockwise; each
+/// ring begins in its lexicographically smallest vertex and is not closed. Segments and points
+/// are positions where one polygon fits the other exactly.
+///
+/// In `f64` every ring is simple, no two rings cross, and holes lie in their polygon. A part
+/// that `f64` cannot show is not there, see [`Stats::parts_dropped`]. A segment whose two ends
+/// are one in `f64` is a point.
+///
+/// ```
+/// use gcv::{minkowski_sum_region, Options, Polygon};
+///
+/// # fn main() -> Result<(), gcv::Error> {
+/// let outer = [[0., 0.], [10., 0.], [10., 10.], [0., 10.]];
+/// let hole = [[1., 1.], [9., 1.], [9., 9.], [1., 9.]];
+/// let frame = Polygon::from_rings([outer, hole])?;
+/// let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]])?;
+/// let region = minkowski_sum_region(&frame, &square, &Options::new())?;
+/// for rings in region.polygons() {
+///     assert_eq!(rings[0], [[0., 0.], [11., 0.], [11., 11.], [0., 11.]]);
+///     assert_eq!(rings[1], [[2., 2.], [2., 9.], [9., 9.], [9., 2.]]);
+/// }
+/// assert_eq!(region.area()?, 121. - 49.);
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone)]
+pub struct Region(pub(crate) Handle<sys::gcv_region>);
+
+impl Region {
+    fn as_ptr(&self) -> *const sys::gcv_region {
+        self.0.as_ptr()
+    }
+
+    /// Whether it has no part in `f64`, as where a polygon does not fit into a container.
+    pub fn is_empty(&self) -> bool {
+        // SAFETY: see `count`.
+        let parts = count(|out, capacity, required| unsafe {
+            sys::gcv_region_parts(self.as_ptr(), out, capacity, required)
+        });
+        parts == 0
+    }
+
+    /// The rings of every polygon: its outer ring, then its holes, as
+    /// [`Polygon::from_rings`] takes them. [`Region::polygon`] gives one ready for the next
+    /// sum.
+    pub fn polygons(
+        &self,
+    ) -> impl ExactSizeIterator<Item = Vec<Vec<[f64; 2]>>> + DoubleEndedIterator {
+        let vertices = self.vertices();
+        let mut polygons: Vec<Vec<_>> = vec![];
+        for part in self.parts() {
+            let ring = vertices[part.vertices].to_vec();
+            match part.kind {
+                PartKind::Outer { .. } => polygons.push(vec![ring]),
+                PartKind::Hole { polygon } => polygons[polygon].push(ring),
+                PartKind::Segment | PartKind::Point => break,
+            }
+        }
+        polygons.into_iter()
+    }
+
+    /// The two ends of every segment: one polygon fits the other exactly, and has room along
+    /// a line only.
+    pub fn segments(&self) -> Vec<[[f64; 2]; 2]> {
+        let vertices = self.vertices();
+        self.starts(PartKind::Segment)
+            .map(|start| [vertices[start], vertices[start + 1]])
+            .collect()
+    }
+
+    /// Every point: one polygon fits the other exactly, and has no room at all.
+    pub fn points(&self) -> Vec<[f64; 2]> {
+        let vertices = self.vertices();
+        self.starts(PartKind::Point)
+            .map(|start| vertices[start])
+            .collect()
+    }
+
+    /// The first vertex of every part of a kind.
+    fn starts(&self, kind: PartKind) -> impl Iterator<Item = usize> {
+        let parts = self.parts().into_iter();
+        parts.filter_map(move |part| (part.kind == kind).then_some(part.vertices.start))
+    }
+
+    /// The parts in `f64`, with what each has of [`Region::vertices`].
+    ///
+    /// ```
+    /// use gcv::{no_fit_region, Options, PartKind, Polygon};
+    ///
+    /// # fn main() -> Result<(), gcv::Error> {
+    /// let slot = [(0., 0.), (6., 0.), (6., 6.), (4., 6.), (4., 2.), (2., 2.), (2., 6.), (0., 6.)];
+    /// let slot = Polygon::new(&slot)?;
+    /// let peg = Polygon::new(&[(0., 0.), (2., 0.), (2., 2.), (0., 2.)])?;
+    /// let region = no_fit_region(&slot, &peg, [0., 0.], &Options::new())?;
+    /// let parts = region.parts();
+    /// assert_eq!(parts[0].kind, PartKind::Outer { polygon: 0 });
+    /// assert_eq!(parts[1].kind, PartKind::Segment);
+    /// assert_eq!(region.vertices()[parts[1].vertices.clone()], [[2., 2.], [2., 6.]]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    pub fn parts(&self) -> Vec<Part> {
+        // SAFETY: see `elements`.
+        placed(elements(|out, capacity, required| unsafe {
+            sys::gcv_region_parts(self.as_ptr(), out, capacity, required)
+        }))
+    }
+
+    /// The vertices of all parts, part after part, rounded as the options said.
+    pub fn vertices(&self) -> Vec<[f64; 2]> {
+        // SAFETY: see `elements`; a vertex is two doubles.
+        elements(|out: *mut [f64; 2], capacity, required| unsafe {
+            sys::gcv_region_vertices(self.as_ptr(), out.cast(), capacity, required)
+        })
+    }
+
+    /// The parts of the exact region, with what each has of [`Region::exact_vertices`].
+    ///
+    /// They are canonical: the same set has the same parts, whatever the polygons that it was
+    /// computed from. Rings have no collinear vertices, and visit no point twice. Segments are
+    /// maximal and straight. They are not cut where segments cross, and are cut where they
+    /// meet a ring. Points lie on no ring and on no segment.
+    pub fn exact_parts(&self) -> Vec<Part> {
+        // SAFETY: see `elements`.
+        placed(elements(|out, capacity, required| unsafe {
+            sys::gcv_region_exact_parts(self.as_ptr(), out, capacity, required)
+        }))
+    }
+
+    /// The number of vertices of all exact parts.
+    fn exact_vertex_count(&self) -> usize {
+        // SAFETY: see `count`. There is one owner for each exact vertex.
+        count(|out, capacity, required| unsafe {
+            sys::gcv_region_edge_owners(self.as_ptr(), out, capacity, required)
+        })
+    }
+
+    /// One vertex of the exact parts, part after part, as fractions `"p/q r/s"` in lowest
+    /// terms. `None` where there is no such vertex.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn exact_vertex(&self, index: usize) -> Option<String> {
+        (index < self.exact_vertex_count()).then(|| self.known_exact_vertex(index))
+    }
+
+    fn known_exact_vertex(&self, index: usize) -> String {
+        // SAFETY: see `string`.
+        string(|out, capacity, required| unsafe {
+            sys::gcv_region_exact_vertex(self.as_ptr(), index, out, capacity, required)
+        })
+    }
+
+    /// The vertices of all exact parts, each as by [`Region::exact_vertex`].
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn exact_vertices(&self) -> Vec<String> {
+        let indices = 0..self.exact_vertex_count();
+        indices
+            .map(|index| self.known_exact_vertex(index))
+            .collect()
+    }
+
+    /// The vertices of all exact parts, as `[x, y]` each.
+    ///
+    /// # Panics
+    /// Without memory.
+    #[cfg(feature = "num-rational")]
+    pub fn exact_rationals(&self) -> Vec<[num_rational::BigRational; 2]> {
+        crate::exact::rationals(self.exact_vertices())
+    }
+
+    /// The exact vertex that each vertex of [`Region::vertices`] stands for, as an index in
+    /// [`Region::exact_vertices`], [`Region::edge_sources`] and [`Region::edge_owners`].
+    ///
+    /// If several exact vertices fell together, it is the first of them. If rounding made a
+    /// new vertex, it is the start of the exact edge that the new vertex lies closest to.
+    pub fn exact_indices(&self) -> Vec<usize> {
+        // SAFETY: see `elements`.
+        let indices: Vec<u64> = elements(|out, capacity, required| unsafe {
+            sys::gcv_region_exact_indices(self.as_ptr(), out, capacity, required)
+        });
+        indices.into_iter().map(|index| index as usize).collect()
+    }
+
+    /// The source of every edge of the exact parts: element `i` is for the edge from exact
+    /// vertex `i` to the next one of its part. `None` for the second end of a segment and for
+    /// a point, which have no edge.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn edge_sources(&self) -> Vec<Option<EdgeSource>> {
+        // SAFETY: see `elements`.
+        let sources: Vec<sys::gcv_edge_source> = elements(|out, capacity, required| unsafe {
+            sys::gcv_region_edge_sources(self.as_ptr(), out, capacity, required)
+        });
+        let convert = |source: sys::gcv_edge_source| (source.kind != 0).then(|| source.into());
+        sources.into_iter().map(convert).collect()
+    }
+
+    /// The owner of every edge of the exact parts, as in [`Region::edge_sources`]: the id of
+    /// the polygon of a scene that made it. All are 0 for regions of two polygons.
+    pub fn edge_owners(&self) -> Vec<u64> {
+        // SAFETY: see `elements`.
+        elements(|out, capacity, required| unsafe {
+            sys::gcv_region_edge_owners(self.as_ptr(), out, capacity, required)
+        })
+    }
+
+    /// The area of [`Region::polygons`] without their holes, in square units, correctly
+    /// rounded; 0 for an empty region.
+    ///
+    /// # Errors
+    /// `GCV_ERR_RANGE` where it is larger than any finite `f64`.
+    pub fn area(&self) -> Result<f64, Error> {
+        // SAFETY: the region is alive.
+        value(|out| unsafe { sys::gcv_region_area(self.as_ptr(), out) })
+    }
+
+    /// An upper bound on the Hausdorff distance from the boundary in `f64` to the exact one,
+    /// in input units: 0 where every exact coordinate is an `f64`.
+    ///
+    /// The boundary is all rings, segments and points. Parts that were dropped count. With a
+    /// tolerance it is a bound between sets, as by
+    /// [`OuterFace::error_bound`](crate::OuterFace::error_bound).
+    pub fn error_bound(&self) -> f64 {
+        // SAFETY: the region is alive.
+        let bound = value(|out| unsafe { sys::gcv_region_error_bound(self.as_ptr(), out) });
+        bound.expect(INFALLIBLE)
+    }
+
+    /// The polygons as Well-Known Text, `MULTIPOLYGON (((x y, ...), (hole)), ...)` or
+    /// `MULTIPOLYGON EMPTY`, closed, which reads back to the same numbers.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn wkt(&self) -> String {
+        // SAFETY: see `string`.
+        string(|out, capacity, required| unsafe {
+            sys::gcv_region_wkt(self.as_ptr(), out, capacity, required)
+        })
+    }
+
+    /// The segments and points as Well-Known Text,
+    /// `GEOMETRYCOLLECTION (LINESTRING (x y, x y), ..., POINT (x y), ...)` or
+    /// `GEOMETRYCOLLECTION EMPTY`, which reads back to the same numbers.
+    ///
+    /// # Panics
+    /// Without memory.
+    pub fn fits_wkt(&self) -> String {
+        // SAFETY: see `string`.
+        string(|out, capacity, required| unsafe {
+            sys::gcv_region_fits_wkt(self.as_ptr(), out, capacity, required)
+        })
+    }
+
+    /// One of [`Region::polygons`], for the next sum. Its numbers count its vertices in
+    /// [`Region::vertices`], from 0.
+    ///
+    /// # Errors
+    /// `GCV_ERR_INVALID_ARGUMENT` where there is no polygon of that number;
+    /// `GCV_ERR_NO_MEMORY`.
+    pub fn polygon(&self, polygon: usize) -> Result<Polygon, Error> {
+        // SAFETY: the region is alive.
+        create(|out| unsafe { sys::gcv_region_polygon(self.as_ptr(), polygon, out) }).map(Polygon)
+    }
+
+    /// Where points lie in the exact region, whatever the rounding.
+    ///
+    /// The first call makes an index; the next ones are faster for it.
+    ///
+    /// ```
+    /// use gcv::{inner_fit_region, Location, Options, Polygon};
+    ///
+    /// # fn main() -> Result<(), gcv::Error> {
+    /// let sheet = Polygon::new(&[(0., 0.), (9., 0.), (9., 9.), (0., 9.)])?;
+    /// let part = Polygon::new(&[(0., 0.), (2., 0.), (0., 1.)])?;
+    /// let region = inner_fit_region(&sheet, &part, [0., 0.], &Options::new())?;
+    /// let locations = region.locate(&[(3., 3.), (7., 3.), (8., 3.)])?;
+    /// assert_eq!(locations, [Location::Inside, Location::Boundary, Location::Outside]);
+    /// # Ok(())
+    /// # }
+    /// ```
+    ///
+    /// # Errors
+    /// `GCV_ERR_NOT_FINITE`, and the message names the point; `GCV_ERR_NO_MEMORY`.
+    pub fn locate<P: Point>(&self, points: &[P]) -> Result<Vec<Location>, Error> {
+        let points: Vec<_> = points.iter().map(Point::xy).collect();
+        let mut out = vec![sys::GCV_OUTSIDE; points.len()];
+        let xy = points.as_ptr().cast();
+        // SAFETY: the region is alive, and there is room for as many results as points.
+        check(unsafe {
+            sys::gcv_region_locate(self.as_ptr(), xy, points.len(), out.as_mut_ptr())
+        })?;
+        Ok(out.into_iter().map(Location::of).collect())
+    }
+
+    /// What the computation took.
+    pub fn stats(&self) -> Stats {
+        // SAFETY: the region is alive, and the struct has the size that it says.
+        stats::read(|out| unsafe { sys::gcv_region_stats(self.as_ptr(), out) })
+    }
+}
+
+impl fmt::Debug for Region {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter
+            .debug_struct("Region")
+            .field("polygons", &self.polygons().collect::<Vec<_>>())
+            .field("segments", &self.segments())
+            .field("points", &self.points())
+            .finish()
+    }
+}
+
+impl fmt::Display for Region {
+    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
+        formatter.write_str(&self.wkt())
+    }
+}
+
+impl PartialEq for Region {
+    fn eq(&self, other: &Self) -> bool {
+        self.as_ptr() == other.as_ptr()
+            || self.parts() == other.parts()
+                && self.vertices() == other.vertices()
+                && self.exact_parts() == other.exact_parts()
+                && self.exact_vertices() == other.exact_vertices()
+    }
+}
+
+impl Eq for Region {}
+
+impl Hash for Region {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        hash_ring(&self.vertices(), state);
+    }
+}
+
+/// One part of a region.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Part {
+    /// What it is.
+    pub kind: PartKind,
+    /// Which of the vertices of all parts it has.
+    pub vertices: Range<usize>,
+}
+
+/// What a part of a region is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum PartKind {
+    /// The outer ring of a polygon, counter-clockwise.
+    Outer {
+        /// The number of the polygon, from 0.
+        polygon: usize,
+    },
+    /// The ring of a hole, clockwise.
+    Hole {
+        /// The number of the polygon that it is in.
+        polygon: usize,
+    },
+    /// A segment: two vertices.
+    Segment,
+    /// A point: one vertex.
+    Point,
+}
+
+/// The parts with their places among the vertices of all of them.
+fn placed(parts: Vec<sys::gcv_region_part>) -> Vec<Part> {
+    let mut end = 0;
+    let place = |part: sys::gcv_region_part| {
+        let polygon = part.polygon as usize;
+        let kind = match part.kind {
+            sys::GCV_PART_OUTER => PartKind::Outer { polygon },
+            sys::GCV_PART_HOLE => PartKind::Hole { polygon },
+            sys::GCV_PART_SEGMENT => PartKind::Segment,
+            sys::GCV_PART_POINT => PartKind::Point,
+            kind => unreachable!("libgcv gives four kinds of parts, and gave {kind}"),
+        };
+        let start = end;
+        end += part.vertex_count as usize;
+        let vertices = start..end;
+        Part { kind, vertices }
+    };
+    parts.into_iter().map(place).collect()
+}
+
+/// Where a point lies in a region.
+///
+/// In a no-fit region, the two polygons overlap with the point inside, touch with it on the
+/// boundary, and are apart with it outside. In an inner-fit region, the polygon fits into the
+/// container with the point inside or on the boundary.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Location {
+    /// In the interior of a polygon, and on no segment and no point.
+    Inside,
+    /// On a ring, a segment or a point.
+    Boundary,
+    /// Anywhere else; a hole is outside.
+    Outside,
+}
+
+impl Location {
+    /// What the C interface calls so.
+    fn of(location: i8) -> Self {
+        match location {
+            sys::GCV_INSIDE => Self::Inside,
+            sys::GCV_BOUNDARY => Self::Boundary,
+            sys::GCV_OUTSIDE => Self::Outside,
+            _ => unreachable!("libgcv gives three locations, and gave {location}"),
+        }
+    }
+}
