@@ -103,7 +103,8 @@ class Builder {
                                                 points.back().y - points.front().y)
                                  : 0;
       const double extent = (box.x1 - box.x0) + (box.y1 - box.y0);
-      in.extent[lane] = range.size() == 1 ? -1 : extent >= 0 ? extent : infinity;
+      const bool is_finite = extent >= 0;
+      in.extent[lane] = range.size() == 1 ? -1.0 : is_finite ? extent : infinity;
       in.lanes |= 1U << lane;
       in.below[lane] = range.first;
     }

@@ -73,10 +73,11 @@ class SafeRounder {
     while (d <= nearest.displacement) {
       d *= 2;
     }
-    for (int tries = 0; tries < 6; ++tries, d *= 2) {
+    for (int tries = 0; tries < 6; ++tries) {
       if (std::optional<RoundedRegion> safe = with(nearest, polygons, d)) {
         return std::move(*safe);
       }
+      d *= 2;
     }
     throw Error(Status::range, "no region of doubles close to the exact one was found");
   }

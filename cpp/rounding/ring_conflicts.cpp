@@ -53,7 +53,9 @@ Passage passage(const PointVector& ring, std::size_t edge, const Point& place) {
 
 // The side of a passage on which the way from its place to q begins: 1 left, -1 right, 0 along it.
 int side_of_way(const Passage& passage, const Point& q, Tally& tally) {
-  const auto& [from, place, to] = passage;
+  const Point& from = passage.from;
+  const Point& place = passage.place;
+  const Point& to = passage.to;
   const int turn = orientation(from, place, to, tally);
   const int of_in = orientation(from, place, q, tally);
   const int of_out = orientation(place, to, q, tally);

@@ -302,7 +302,7 @@ double WitnessSearch::reach(double t) {
       continue;
     }
     activate(t);
-    while (next_ < queue_.size() && !(covers_.size() > 0 && covers_.front().covered.from <= t)) {
+    while (next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t)) {
       const Waiting waiting = queue_[next_++];
       if (!(waiting.near.to < t)) {
         expand(waiting.nodes, t, t);

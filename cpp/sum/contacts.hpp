@@ -13,7 +13,6 @@
 #pragma once
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cstddef>
 #include <vector>
 
@@ -141,32 +140,19 @@ class BlockedDirections {
   }
   // Is every direction blocked?
   [[nodiscard]] bool hold_all() const {
-    if (arcs_.empty()) {
-      return false;
-    }
-    for (const DirectionArc& arc : arcs_) {
-      const Rank turn = 2 * directions_.half_turn;
-      const Rank end = (arc.from + arc.length) % turn;
-      if (!holds(end)) {
-        return false;
-      }
-    }
-    return true;
+    return !arcs_.empty() && std::all_of(arcs_.begin(), arcs_.end(), [&](const DirectionArc& arc) {
+      return holds((arc.from + arc.length) % (2 * directions_.half_turn));
+    });
   }
 
  private:
   template <class Test>
   [[nodiscard]] bool any(Test test) const {
-    for (const DirectionArc& arc : arcs_) {
-      if (test(arc)) {
-        return true;
-      }
-    }
-    return false;
+    return std::any_of(arcs_.begin(), arcs_.end(), test);
   }
 
   const Directions& directions_;
-  boost::container::small_vector<DirectionArc, 16> arcs_;
+  std::vector<DirectionArc> arcs_;
 };
 
 }  // namespace gcv

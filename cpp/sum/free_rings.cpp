@@ -136,10 +136,11 @@ class Cutter {
 Ring turned_round(const Ring& ring) {
   Ring turned;
   turned.reserve(ring.size());
-  for (auto v = ring.rbegin(); v != ring.rend(); ++v) {
-    turned.push_back(v->is_sum() ? RingVertex::sum(v->i(), v->j(), v->leaving(), v->arriving())
-                                 : RingVertex::crossing(v->leaving(), v->arriving()));
+  for (const RingVertex& v : ring) {
+    turned.push_back(v.is_sum() ? RingVertex::sum(v.i(), v.j(), v.leaving(), v.arriving())
+                                : RingVertex::crossing(v.leaving(), v.arriving()));
   }
+  std::reverse(turned.begin(), turned.end());
   return turned;
 }
 

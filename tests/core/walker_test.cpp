@@ -149,10 +149,9 @@ class Pair {
 
   std::vector<Fractions> ring(const Place& place, const PairEdge& edge) {
     Task task;
-    return vertices(
-        Walker(operands_, Search(superset_), superset_.slack(), task)
-            .ring(place, edge, [](const RingVertex&) { return false; })
-            .walk.value());
+    return vertices(Walker(operands_, Search(superset_), superset_.slack(), task)
+                        .ring(place, edge, [](const RingVertex&) { return false; })
+                        .walk.value());
   }
 
   // From the smallest one.
