@@ -122,6 +122,9 @@ WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
 // others, twice the slack is enough. Comparisons with what is not a number are false. So such a
 // range is near, and covers nothing.
 WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
+  if (!(slack_ < std::numeric_limits<double>::infinity())) {
+    return {{-2, -2, -2, -2}, {2, 2, 2, 2}, {2, 2, 2, 2}, {-2, -2, -2, -2}};
+  }
   const ChordTree::Block& chords = family.children;
   const std::uint32_t lane = ChordTree::lane_of(family.other);
   const ChordTree::Block& of_other = family.of_other;

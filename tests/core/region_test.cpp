@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What holds for every region: its first ring is the outer face, roundings are on their sides,
+// points are located as fractions say.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "generators.hpp"
+#include "locate.hpp"
+#include "minkowski_sum.hpp"
+#include "region_families.hpp"
+#include "regions.hpp"
+
+namespace gcv {
+namespace {
+
+using test::PolygonRings;
+
+Region region_of(const test::RegionCase& c, const RegionOptions& options = {}) {
+  return c.inner_fit ? test::fit_region(c.a, c.b, c.shift, options)
+                     : test::sum_region(c.a, c.b, c.shift, options);
+}
+
+template <class Visit>
+void for_each_case(int count, Visit visit) {
+  for (const test::RegionFamily& family : test::region_families()) {
+    test::Random random(7);
+    for (int k = 0; k < count; ++k) {
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(k));
+      visit(family.next_case(random));
+    }
+  }
+}
+
+std::vector<RegionPart> rings_of(const std::vector<RegionPart>& parts) {
+  std::vector<RegionPart> rings;
+  std::copy_if(parts.begin(), parts.end(), std::back_inserter(rings),
+               [](const RegionPart& part) { return part.is_ring(); });
+  return rings;
+}
+
+TEST(Region, BeginsWithTheOuterFace) {
+  for_each_case(40, [](const test::RegionCase& c) {
+    if (c.inner_fit) {
+      return;
+    }
+    for (const Rounding rounding : {Rounding::nearest, Rounding::outward}) {
+      RegionOptions options;
+      options.rounding = rounding;
+      const Region region = region_of(c, options);
+      Task task;
+      const auto a = std::make_shared<const Polygon>(make_polygon(c.a, "a"));
+      const auto b = std::make_shared<const Polygon>(make_polygon(c.b, "b"));
+      const OuterFace face =
+          minkowski_sum({outer_ring(a), "a"}, {outer_ring(b), "b"}, c.shift, options, task);
+      const RegionPart& first = region.rounded.parts.front();
+      ASSERT_EQ(first.size, face.rounded.vertices.size());
+      ASSERT_TRUE(std::equal(face.rounded.vertices.begin(), face.rounded.vertices.end(),
+                             region.rounded.vertices.begin()));
+    }
+  });
+}
+
+TEST(Region, LeavesOutWhatItIsToldTo) {
+  for_each_case(40, [](const test::RegionCase& c) {
+    RegionOptions options;
+    options.leave_out_fits = true;
+    const Region whole = region_of(c);
+    const Region without_fits = region_of(c, options);
+    ASSERT_EQ(without_fits.exact.parts.size(), rings_of(whole.exact.parts).size());
+    if (!c.inner_fit) {
+      options.leave_out_holes = true;
+      ASSERT_EQ(region_of(c, options).exact.parts.size(), 1U);
+    }
+  });
+}
+
+TEST(Region, IsRoundedToTheSafeSide) {
+  std::size_t rounded_rings = 0;
+  for_each_case(60, [&](const test::RegionCase& c) {
+    RegionOptions options;
+    options.rounding = Rounding::outward;
+    const Region region = region_of(c, options);
+    ASSERT_NO_THROW(static_cast<void>(test::rounded_polygons(region.rounded)));
+    const RegionLocator locator(region.exact);
+    for (const RegionPart& part : rings_of(region.rounded.parts)) {
+      ++rounded_rings;
+      for (std::size_t k = part.first; k < part.end(); ++k) {
+        const int where = locator.locate(region.rounded.vertices[k]);
+        ASSERT_TRUE(c.inner_fit ? where >= 0 : where <= 0);
+      }
+    }
+    for (std::size_t k = 0; k < region.rounded.vertices.size(); ++k) {
+      ASSERT_LT(region.rounded.exact_indices[k], region.exact.size());
+    }
+  });
+  EXPECT_GT(rounded_rings, 500U);
+}
+
+// The middles of edges are on them, up to rounding; a corner of a ring is on the boundary.
+TEST(Region, LocatesItsCorners) {
+  for_each_case(40, [](const test::RegionCase& c) {
+    const Region region = region_of(c);
+    if (region.rounded.displacement != 0) {
+      return;
+    }
+    const RegionLocator locator(region.exact);
+    for (const Point& p : region.rounded.vertices) {
+      ASSERT_EQ(locator.locate(p), 0);
+    }
+  });
+}
+
+TEST(Region, LocatesByTheRings) {
+  const PolygonRings ring{{{0, 0}, {10, 0}, {10, 10}, {0, 10}}, {{1, 1}, {9, 1}, {9, 9}, {1, 9}}};
+  const PolygonRings square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const Region region = test::sum_region(ring, square);
+  EXPECT_EQ(test::text_of(region.exact),
+            "outer 0: 0/1 0/1, 11/1 0/1, 11/1 11/1, 0/1 11/1\n"
+            "hole 0: 2/1 2/1, 2/1 9/1, 9/1 9/1, 9/1 2/1\n");
+  const RegionLocator locator(region.exact);
+  EXPECT_EQ(locator.locate({1, 1}), 1);
+  EXPECT_EQ(locator.locate({2, 5}), 0);
+  EXPECT_EQ(locator.locate({5, 5}), -1);
+  EXPECT_EQ(locator.locate({11, 11}), 0);
+  EXPECT_EQ(locator.locate({12, 5}), -1);
+  EXPECT_EQ(locator.locate({5, 1}), 1);
+}
+
+TEST(Region, OfNothingIsEmpty) {
+  const PolygonRings box{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  const PolygonRings larger{{{0, 0}, {2, 0}, {2, 1}, {0, 1}}};
+  const Region region = test::fit_region(box, larger);
+  EXPECT_TRUE(region.exact.parts.empty());
+  EXPECT_TRUE(region.rounded.vertices.empty());
+  EXPECT_EQ(RegionLocator(region.exact).locate({0, 0}), -1);
+}
+
+// Nothing is certain in doubles there.
+TEST(Region, OfTheLargestNumbers) {
+  const PolygonRings a{{{2, 0.1}, {7, 1}, {15, 13}, {5, 11}, {3.5, 14}}};
+  const PolygonRings b{{{0, 0}, {1.7e308, 1.7e308}, {1e308, 1.6e308}, {0, 1.7e308}}};
+  EXPECT_EQ(rings_of(test::sum_region(a, b).exact.parts).size(), 1U);
+  const PolygonRings fixed{{{0, 0}, {4, 4}, {2, 3}, {0, 4}}};
+  const PolygonRings moving{{{1.7e308, -8}, {-12, -2}, {-1, -13}, {-3, -8}}};
+  EXPECT_EQ(rings_of(test::sum_region(fixed, moving, {9, 12}).exact.parts).size(), 1U);
+}
+
+// Two islands of a container that touch each other's surroundings: rings are cut where the walk
+// comes to a point again.
+TEST(Region, CutsRingsThatTouchThemselves) {
+  const PolygonRings container{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
+                               {{3, 3}, {5, 3}, {5, 5}, {3, 5}},
+                               {{6, 6}, {8, 6}, {8, 8}, {6, 8}}};
+  const PolygonRings square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  EXPECT_EQ(test::text_of(test::fit_region(container, square).exact),
+            "outer 0: 0/1 0/1, 9/1 0/1, 9/1 9/1, 0/1 9/1\n"
+            "hole 0: 2/1 2/1, 2/1 5/1, 5/1 5/1, 5/1 2/1\n"
+            "hole 0: 5/1 5/1, 5/1 8/1, 8/1 8/1, 8/1 5/1\n");
+}
+
+}  // namespace
+}  // namespace gcv
