@@ -220,12 +220,11 @@ const ChainIndex& Boundary::index() const {
   });
 }
 
-const ChordTree& Boundary::chord_tree() const {
-  return chord_tree_.get([this] { return build_chord_tree(relative_chain(), layout); });
-}
-
-const Touches& Boundary::touches() const {
-  return touches_.get([this] { return Touches(vertices, layout); });
+const Boundary::CoverIndex& Boundary::cover_index() const {
+  return *cover_index_.get([this] {
+    return std::make_unique<const CoverIndex>(
+        CoverIndex{build_chord_tree(relative_chain(), layout), Touches(vertices, layout)});
+  });
 }
 
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {

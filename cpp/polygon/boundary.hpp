@@ -86,10 +86,12 @@ struct Boundary {
   [[nodiscard]] const LineDirections& line_directions() const;
   // Over relative vertices. Sums with few superset edges do not use it.
   [[nodiscard]] const ChainIndex& index() const;
-  // Likewise.
-  [[nodiscard]] const ChordTree& chord_tree() const;
-  // Where its rings touch.
-  [[nodiscard]] const Touches& touches() const;
+  // What sums with holes and exact fits take beside it. Made on first use, too.
+  struct CoverIndex {
+    ChordTree chords;
+    Touches touches;  // where its rings touch
+  };
+  [[nodiscard]] const CoverIndex& cover_index() const;
 
   // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
   // edge points the other way. O(n): the line directions are sorted once for both.
@@ -101,8 +103,7 @@ struct Boundary {
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
-  Lazy<ChordTree> chord_tree_;
-  Lazy<Touches> touches_;
+  Lazy<std::unique_ptr<const CoverIndex>> cover_index_;
 
   [[nodiscard]] EdgeChain relative_chain() const;
 };

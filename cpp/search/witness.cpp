@@ -17,6 +17,9 @@ double size_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
 // The least progress along a line that a witness is taken for.
 constexpr double least_progress = 0x1p-20;
 
+// For heaps with the first in front.
+constexpr auto comes_later = [](const auto& p, const auto& q) { return p.first() > q.first(); };
+
 }  // namespace
 
 // Error bound, with uE as the unit, u times the extents of both polygons. Coordinates of the corner
@@ -93,8 +96,8 @@ double Witness::reach(const RelativeLine& line, double t) const {
 
 WitnessSearch::WitnessSearch(const Operands& operands)
     : operands_(operands),
-      a_(operands.a.chord_tree()),
-      b_(operands.b.chord_tree()),
+      a_(operands.a.cover_index().chords),
+      b_(operands.b.cover_index().chords),
       slack_(slack_of(operands)),
       bounds_(operands.relative_bounds()) {
   const double extents = 0x1p48 * slack_;
@@ -234,13 +237,6 @@ double WitnessSearch::remembered_reach(double t, double least) {
   }
   return t;
 }
-
-namespace {
-
-// The first in front.
-constexpr auto comes_later = [](const auto& p, const auto& q) { return p.first() > q.first(); };
-
-}  // namespace
 
 double WitnessSearch::met_reach(double t, double least) {
   double end = t;

@@ -63,8 +63,8 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
   Containment result{false, false};
   const Boundary& a = operands.a;
   const Boundary& b = operands.b;
-  const Box box_a = a.chord_tree().blocks.front().boxes.box(0);
-  const Box box_b = b.chord_tree().blocks.front().boxes.box(0);
+  const Box box_a = a.cover_index().chords.blocks.front().boxes.box(0);
+  const Box box_b = b.cover_index().chords.blocks.front().boxes.box(0);
   const auto add = [&](const PointInRings& rings, bool inside) {
     if (rings.holds_germ() == inside) {
       result.of_germ = true;

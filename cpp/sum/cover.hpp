@@ -47,8 +47,8 @@ class EdgeCover {
   EdgeCover(const Operands& operands, Solids solids, Tally& tally)
       : operands_(operands),
         solids_(solids),
-        touches_a_(solids == Solids::one ? operands.a.touches() : no_touches_),
-        touches_b_(operands.b.touches()),
+        touches_a_(solids == Solids::one ? operands.a.cover_index().touches : no_touches_),
+        touches_b_(operands.b.cover_index().touches),
         cones_(operands, touches_a_, touches_b_),
         tally_(tally),
         search_(operands) {}

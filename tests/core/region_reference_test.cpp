@@ -30,7 +30,7 @@ std::string reference_of(const test::RegionCase& c) {
 class Regions : public ::testing::TestWithParam<test::RegionFamily> {};
 
 TEST_P(Regions, AreThoseOfTheDefinition) {
-  constexpr int count = 400;
+  constexpr int count = 200;
   test::Random random(1);
   std::size_t holes = 0;
   std::size_t fits = 0;
