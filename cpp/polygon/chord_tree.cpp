@@ -103,8 +103,10 @@ class Builder {
                                                 points.back().y - points.front().y)
                                  : 0;
       const double extent = (box.x1 - box.x0) + (box.y1 - box.y0);
-      const bool is_finite = extent >= 0;
-      in.extent[lane] = range.size() == 1 ? -1.0 : is_finite ? extent : infinity;
+      in.extent[lane] = extent >= 0 ? extent : infinity;  // also if it is not a number
+      if (range.size() == 1) {
+        in.extent[lane] = -1;
+      }
       in.lanes |= 1U << lane;
       in.below[lane] = range.first;
     }
