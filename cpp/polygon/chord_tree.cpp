@@ -103,9 +103,12 @@ class Builder {
                                                 points.back().y - points.front().y)
                                  : 0;
       const double extent = (box.x1 - box.x0) + (box.y1 - box.y0);
-      in.extent[lane] = extent >= 0 ? extent : infinity;  // also if it is not a number
       if (range.size() == 1) {
         in.extent[lane] = -1;
+      } else if (extent >= 0) {
+        in.extent[lane] = extent;
+      } else {  // not a number
+        in.extent[lane] = infinity;
       }
       in.lanes |= 1U << lane;
       in.below[lane] = range.first;
