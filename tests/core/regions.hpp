@@ -3,6 +3,7 @@
 // Regions of polygons given by rings, for tests.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -62,6 +63,27 @@ inline std::string text_of(const ExactRegion& region) {
     text += '\n';
   }
   return text;
+}
+
+// The exact rings, sorted as text.
+inline std::vector<std::vector<std::string>> ring_texts(const ExactRegion& region) {
+  std::vector<std::vector<std::string>> rings;
+  for (const RegionPart& part : region.parts) {
+    if (part.is_ring()) {
+      std::vector<std::string>& ring = rings.emplace_back();
+      for (std::size_t k = part.first; k < part.end(); ++k) {
+        ring.push_back(exact_vertex(region, k));
+      }
+    }
+  }
+  std::sort(rings.begin(), rings.end());
+  return rings;
+}
+
+inline std::size_t hole_count(const ExactRegion& region) {
+  return static_cast<std::size_t>(
+      std::count_if(region.parts.begin(), region.parts.end(),
+                    [](const RegionPart& part) { return part.kind == PartKind::hole; }));
 }
 
 // The polygons of the rounded region, each checked as polygons of users are. Throws Error where one
