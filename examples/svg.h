@@ -1,5 +1,5 @@
 /*
- * svg.h - a picture of two polygons and the outer face of their sum.
+ * svg.h - a picture of two polygons and the region of their sum.
  *
  * SPDX-License-Identifier: LGPL-3.0-or-later
  */
@@ -10,17 +10,22 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/** A ring of vertices, x0 y0 x1 y1 ..., not closed. */
-typedef struct ring {
-  double *xy;
+/** Parts of the plane: rings, segments and points. Rings are not closed. */
+typedef struct parts {
+  gcv_region_part *list;
   size_t count;
-} ring;
+  double *xy; /**< the vertices of all parts, x0 y0 x1 y1 ... */
+  size_t vertex_count;
+} parts;
+
+/** How many parts are of a kind, one of GCV_PART_... */
+size_t count_parts(const parts *p, int32_t kind);
 
 typedef struct picture {
-  ring a, b, sum;
-  /** What each edge of the sum comes from, or NULL: then all have one colour. */
+  parts a, b, sum;
+  /** What the edge from each vertex of the sum comes from. */
   const gcv_edge_source *sources;
-  /** The sum is the no-fit polygon of A and B with this reference point of B. */
+  /** The sum is the no-fit region of A and B with this reference point of B. */
   bool no_fit;
   double reference[2];
 } picture;

@@ -36,12 +36,18 @@ def polygon(name):
     return POLYGONS / f"{name}.wkt"
 
 
-def vertices(wkt):
-    """The ring of a WKT polygon without holes, its last vertex left out."""
-    match = re.fullmatch(r"POLYGON \(\((.*)\)\)\s*", wkt, re.DOTALL)
-    points = [tuple(map(float, pair.split())) for pair in match[1].split(",")]
-    assert points[0] == points[-1]
-    return points[:-1]
+def points(text):
+    return [tuple(map(float, pair.split())) for pair in text.split(",")]
+
+
+def rings(text):
+    """The rings of the one polygon in what region writes, their last vertices left out."""
+    polygons, fits = text.splitlines()
+    assert fits.startswith("GEOMETRYCOLLECTION")
+    match = re.fullmatch(r"MULTIPOLYGON \(\(\((.*)\)\)\)", polygons)
+    closed = list(map(points, match[1].split("), (")))
+    assert all(ring[0] == ring[-1] for ring in closed)
+    return [ring[:-1] for ring in closed]
 
 
 class TestInFolder(unittest.TestCase):
@@ -84,14 +90,14 @@ class Programs(unittest.TestCase):
 
 
 class Pairs(TestInFolder):
-    """outer_face on the shipped polygons."""
+    """region on the shipped polygons."""
 
     def test_every_polygon_is_in_a_pair(self):
         self.assertEqual(sorted(name for pair in PAIRS for name in pair[:2]),
                          sorted(path.stem for path in POLYGONS.glob("*.wkt")))
 
-    def check_picture(self, path, edges):
-        """Well-formed, and drawing as many edges of the sum as there are."""
+    def check_picture(self, path, edges, segments=0, points=0):
+        """Well-formed, and drawing as many edges of rings and as many fits as there are."""
         root = ElementTree.parse(path).getroot()
         self.assertEqual(root.tag, f"{SVG}svg")
         box = [float(number) for number in root.get("viewBox").split()]
@@ -103,25 +109,37 @@ class Pairs(TestInFolder):
             if "edge kind" in drawing.get("class"):
                 drawn += drawing.get("d").count("L")
         self.assertEqual(drawn, edges)
+        # One segment more: that of the legend.
+        for tag, style, count in ("path", "segment", segments + 1), ("circle", "point", points):
+            drawings = root.iter(SVG + tag)
+            self.assertEqual(sum(d.get("class") == style for d in drawings), count)
 
     def test_pairs(self):
         for a, b, *options in PAIRS:
             with self.subTest(a=a, b=b):
                 picture = self.folder / f"{a}.svg"
-                done = run("outer_face", polygon(a), polygon(b), *options, "--svg", picture)
+                done = run("region", polygon(a), polygon(b), *options, "--svg", picture)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
-                ring = vertices(done.stdout)
-                self.assertGreater(len(ring), 3)
-                self.check_picture(picture, len(ring))
+                fits = [done.stdout.count(word) for word in ("LINESTRING", "POINT")]
+                self.check_picture(picture, sum(map(len, rings(done.stdout))), *fits)
 
     def test_key_goes_into_the_lock(self):
         """The slit of 2^-40, the pocket behind it, and a slit from there down."""
-        done = run("outer_face", polygon("lock"), polygon("key"), "--no-fit", "0,0")
-        ring = vertices(done.stdout)
+        done = run("region", polygon("lock"), polygon("key"), "--no-fit", "0,0")
+        (ring,) = rings(done.stdout)
         clearance = 2.0 ** -40
         for slit in ((14, 0), (14, clearance)), ((66, -5), (66 + clearance, -5)):
             self.assertLessEqual(set(slit), set(ring))
         self.assertLessEqual({(58, -3), (68, -3)}, set(ring))
+
+    def test_robot_in_the_room(self):
+        """The store room and the light well, the way into the dock, the place in the lift."""
+        done = run("region", polygon("room"), polygon("robot"), "--no-fit", "0,0")
+        self.assertEqual(done.stdout.splitlines()[1],
+                         "GEOMETRYCOLLECTION (LINESTRING (75 300, 155 300), POINT (110 795))")
+        _, store_room, light_well = rings(done.stdout)
+        self.assertLessEqual({(775, 515), (775, 835), (1135, 835), (1135, 515)}, set(store_room))
+        self.assertEqual(light_well, [(1095, 105), (1095, 275), (1135, 275), (1135, 105)])
 
     def test_pictures_of_any_size_and_place(self):
         for number in ("1e-320", "1e-30", "1e30", "4e307"):
@@ -129,47 +147,69 @@ class Pairs(TestInFolder):
                 a = self.write("a.wkt", f"POLYGON ((0 0, {number} 0, 0 {number}))")
                 b = self.write("b.wkt", f"POLYGON ((0 0, -{number} 0, 0 -{number}))")
                 picture = self.folder / "any.svg"
-                done = run("outer_face", a, b, "--svg", picture)
+                done = run("region", a, b, "--svg", picture)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.check_picture(picture, 6)
 
 
 class Results(TestInFolder):
-    """What outer_face writes, and where to."""
+    """What region writes, and where to."""
 
     RING = [(0, 0), (3, 0), (3, 2), (2, 3), (0, 3)]
 
+    def setUp(self):
+        super().setUp()
+        self.frame = self.write("frame.wkt", "POLYGON ((0 0, 9 0, 9 4, 0 4), "
+                                             "(1 1, 3 1, 3 3, 1 3), (4 1, 8 1, 8 3, 4 3))")
+
     def test_wkt(self):
-        done = run("outer_face", self.square, self.triangle)
+        done = run("region", self.square, self.triangle)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(vertices(done.stdout), self.RING)
+        self.assertEqual(rings(done.stdout), [self.RING])
+
+    def test_exact_fits(self):
+        """The square has one place in the first hole, and a way in the second."""
+        picture = self.folder / "fits.svg"
+        done = run("region", self.frame, self.square, "--no-fit", "0,0", "--svg", picture)
+        self.assertEqual(rings(done.stdout), [[(-2, -2), (9, -2), (9, 4), (-2, 4)]])
+        self.assertEqual(done.stdout.splitlines()[1],
+                         "GEOMETRYCOLLECTION (LINESTRING (4 1, 6 1), POINT (1 1))")
+        drawn = {}
+        for path in ElementTree.parse(picture).iter(f"{SVG}path"):
+            drawn.setdefault(path.get("class"), []).append(path.get("d"))
+        self.assertRegex(drawn["segment"][0], r"^M[\d.]+ ([\d.]+)L[\d.]+ \1$")
+        self.assertEqual([path.count("Z") for path in drawn["a"]], [3])
+        self.assertEqual(len(drawn["faint-b"]), 2)
 
     def test_wkt_file(self):
         path = self.folder / "sum.wkt"
-        done = run("outer_face", self.square, self.triangle, "--wkt", path)
+        done = run("region", self.square, self.triangle, "--wkt", path)
         self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
-        self.assertEqual(vertices(path.read_text()), self.RING)
+        self.assertEqual(rings(path.read_text()), [self.RING])
 
     def test_no_fit(self):
-        done = run("outer_face", self.square, self.triangle, "--no-fit", "0,-1e0")
-        self.assertEqual(vertices(done.stdout), [(-1, -1), (0, -2), (2, -2), (2, 1), (-1, 1)])
+        done = run("region", self.square, self.triangle, "--no-fit", "0,-1e0")
+        self.assertEqual(rings(done.stdout), [[(-1, -1), (0, -2), (2, -2), (2, 1), (-1, 1)]])
 
     def test_exact(self):
-        done = run("outer_face", self.square, self.triangle, "--exact")
-        wkt, *lines = done.stdout.splitlines()
-        self.assertEqual([tuple(map(Fraction, line.split())) for line in lines], vertices(wkt))
+        done = run("region", self.square, self.triangle, "--exact")
+        lines = done.stdout.splitlines()[2:]
+        self.assertEqual([tuple(map(Fraction, line.split())) for line in lines], self.RING)
         self.assertEqual(lines[1], "3/1 0/1")
+        fits = run("region", self.frame, self.square, "--no-fit", "0,0", "--exact").stdout
+        self.assertEqual(fits.splitlines()[-3:], ["4/1 1/1", "6/1 1/1", "1/1 1/1"])
 
     def test_stats(self):
-        done = run("outer_face", self.square, self.triangle, "--stats")
+        done = run("region", self.square, self.triangle, "--stats")
         self.assertEqual(done.returncode, 0)
-        self.assertEqual(vertices(done.stdout), self.RING)
-        self.assertIn("outer face  5 vertices, area 8.5, error bound 0\n", done.stderr)
+        self.assertEqual(rings(done.stdout), [self.RING])
+        self.assertIn("region      5 vertices, area 8.5, error bound 0\n", done.stderr)
+        self.assertIn("inside      0 holes, 0 segments, 0 points\n", done.stderr)
         self.assertRegex(done.stderr, r"time +\d+\.\d{3} ms\n")
         self.assertRegex(done.stderr, r"walk +[1-9]\d* steps, \d+ candidate edges\n")
 
     def test_help(self):
-        done = run("outer_face", "--help")
+        done = run("region", "--help")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         for option in ("--no-fit", "--wkt", "--svg", "--exact", "--stats", "--help"):
             self.assertIn(option, done.stdout)
@@ -189,13 +229,13 @@ class Failures(TestInFolder):
                           [a, b, "--no-fit"], [a, b, "--no-fit", "1"], [a, b, "--no-fit", "1,"],
                           [a, b, "--no-fit", "1,2,3"], [a, b, "--no-fit", "x,y"]):
             with self.subTest(arguments=arguments):
-                done = run("outer_face", *arguments)
+                done = run("region", *arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
-                self.assertIn("usage: outer_face", done.stderr)
+                self.assertIn("usage: region", done.stderr)
 
     def test_files_that_cannot_be_read(self):
         for path in (self.folder / "missing.wkt", self.folder):
-            self.assert_failure(run("outer_face", self.square, path), path)
+            self.assert_failure(run("region", self.square, path), path)
 
     def test_polygons_that_are_none(self):
         for text, status in (("nonsense", "GCV_ERR_PARSE"), ("", "GCV_ERR_PARSE"),
@@ -204,28 +244,28 @@ class Failures(TestInFolder):
                              ("POLYGON ((0 0, 1 1, 2 2))", "GCV_ERR_DEGENERATE")):
             with self.subTest(text=text):
                 bad = self.write("bad.wkt", text)
-                self.assert_failure(run("outer_face", self.square, bad), bad, f"{status}: ")
-                self.assert_failure(run("outer_face", bad, self.square), bad, f"{status}: ")
+                self.assert_failure(run("region", self.square, bad), bad, f"{status}: ")
+                self.assert_failure(run("region", bad, self.square), bad, f"{status}: ")
 
     def test_sums_that_fail(self):
         huge = self.write("huge.wkt", "POLYGON ((1e308 0, 1.7e308 0, 1e308 1e308))")
-        self.assert_failure(run("outer_face", huge, huge), huge, "GCV_ERR_RANGE: ")
-        self.assert_failure(run("outer_face", huge, self.square, "--no-fit", "nan,0"),
+        self.assert_failure(run("region", huge, huge), huge, "GCV_ERR_RANGE: ")
+        self.assert_failure(run("region", huge, self.square, "--no-fit", "nan,0"),
                             huge, self.square, "GCV_ERR_NOT_FINITE: ")
 
     def test_files_that_cannot_be_written(self):
         nowhere = self.folder / "no" / "file"
         for option in ("--wkt", "--svg"):
-            done = run("outer_face", self.square, self.triangle, option, nowhere)
+            done = run("region", self.square, self.triangle, option, nowhere)
             self.assert_failure(done, nowhere)
 
     @unittest.skipUnless(Path("/dev/full").exists(), "no /dev/full here")
     def test_full_disk(self):
         pair = polygon("coast"), polygon("islet")
         for option in ("--wkt", "--svg"):
-            self.assert_failure(run("outer_face", *pair, option, "/dev/full"), "/dev/full")
+            self.assert_failure(run("region", *pair, option, "/dev/full"), "/dev/full")
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = subprocess.run([PROGRAMS / "outer_face", *pair], stdout=full, text=True,
+            done = subprocess.run([PROGRAMS / "region", *pair], stdout=full, text=True,
                                   stderr=subprocess.PIPE, check=False, timeout=300)
         self.assert_failure(done, "standard output")
 

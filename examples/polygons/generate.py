@@ -106,22 +106,34 @@ def lock():
 # ------------------------------------------------------------------- robot and room --
 
 def robot():
-    """A floor robot, 0.7 m wide: square behind, round in front."""
-    return [(-0.35, -0.35)] + arc(0, 0, 0.35, -90, 90, 12) + [(-0.35, 0.35)]
+    """A floor robot, 70 cm wide: square behind, round in front."""
+    return [(-35, -35)] + arc(0, 0, 35, -90, 90, 12) + [(-35, 35)]
 
 
 def room():
-    """A floor plan, in metres: walls and built-in furniture. Inner doors are 1 m wide, the
-    one of the store room 0.6 m; the front door makes the walls one simple polygon."""
-    return [(0, 0), (5.3, 0), (5.3, 0.3), (4.6, 0.3), (4.6, 1.6), (4.4, 1.6), (4.4, 0.3),
-            (0.3, 0.3), (0.3, 2), (1.2, 2), (1.2, 4), (0.3, 4), (0.3, 5), (2.9, 5), (2.9, 5.2),
-            (0.3, 5.2), (0.3, 7), (2.2, 7), (2.2, 8.7), (4.4, 8.7), (4.4, 5.2), (3.9, 5.2),
-            (3.9, 5), (4.4, 5), (4.4, 2.6), (4.6, 2.6), (4.6, 6), (5, 6), (5, 6.2), (4.6, 6.2),
-            (4.6, 8.7), (7.2, 8.7), (7.2, 6.2), (6, 6.2), (6, 6), (7.2, 6), (7.2, 3.4),
-            (7.4, 3.4), (7.4, 4.6), (9.2, 4.6), (9.2, 4.8), (7.4, 4.8), (7.4, 8.7), (11.7, 8.7),
-            (11.7, 4.8), (9.8, 4.8), (9.8, 4.6), (11.7, 4.6), (11.7, 3.4), (10.9, 3.4),
-            (10.9, 0.9), (9.2, 0.9), (9.2, 0.3), (7.4, 0.3), (7.4, 2.4), (7.2, 2.4), (7.2, 0.3),
-            (6.5, 0.3), (6.5, 0), (12, 0), (12, 9), (0, 9)]
+    """A floor plan, in centimetres: walls and built-in furniture. Inner doors are 100 wide, the
+    one of the store room 60. The front door joins the rooms with the outside. The dock of the
+    robot, at the left, is 70 wide."""
+    return [(0, 0), (530, 0), (530, 30), (460, 30), (460, 160), (440, 160), (440, 30),
+            (30, 30), (30, 200), (120, 200), (120, 265), (40, 265), (40, 335), (120, 335),
+            (120, 400), (30, 400), (30, 500), (290, 500), (290, 520), (30, 520), (30, 700),
+            (220, 700), (220, 870), (440, 870), (440, 520), (390, 520), (390, 500), (440, 500),
+            (440, 260), (460, 260), (460, 600), (500, 600), (500, 620), (460, 620), (460, 870),
+            (720, 870), (720, 620), (600, 620), (600, 600), (720, 600), (720, 340), (740, 340),
+            (740, 460), (920, 460), (920, 480), (740, 480), (740, 870), (1170, 870), (1170, 480),
+            (980, 480), (980, 460), (1170, 460), (1170, 340), (1030, 340), (1030, 90), (920, 90),
+            (920, 30), (740, 30), (740, 240), (720, 240), (720, 30), (650, 30), (650, 0),
+            (1200, 0), (1200, 900), (0, 900)]
+
+
+def lift():
+    """The shaft of the lift: the robot fits in, and cannot move."""
+    return [(75, 760), (145, 760), (145, 830), (75, 830)]
+
+
+def light_well():
+    """A light well without a door."""
+    return [(1060, 70), (1170, 70), (1170, 310), (1060, 310)]
 
 
 # ------------------------------------------------------------------ coast and islet --
@@ -160,19 +172,20 @@ def sleeve():
     return mirrored([(110, 0)] + bezier((195, 400), (95, 410), (70, 560), (0, 560), 14))
 
 
+# The rings of each polygon, the outer one first.
 POLYGONS = {
-    "comb": comb(),
-    "hairpin": hairpin(),
-    "fork_large": fork(tines=5, width=4, gap=16, length=90, handle=60),
-    "fork_small": fork(tines=2, width=2.5, gap=7.5, length=50, handle=50),
-    "key": key(),
-    "lock": lock(),
-    "robot": robot(),
-    "room": room(),
-    "coast": island(seed=89, corners=10, radius=60, halvings=6),
-    "islet": island(seed=24, corners=6, radius=14, halvings=5),
-    "shirt_front": shirt_front(),
-    "sleeve": sleeve(),
+    "comb": (comb(),),
+    "hairpin": (hairpin(),),
+    "fork_large": (fork(tines=5, width=4, gap=16, length=90, handle=60),),
+    "fork_small": (fork(tines=2, width=2.5, gap=7.5, length=50, handle=50),),
+    "key": (key(),),
+    "lock": (lock(),),
+    "robot": (robot(),),
+    "room": (room(), lift(), light_well()),
+    "coast": (island(seed=89, corners=10, radius=60, halvings=6),),
+    "islet": (island(seed=24, corners=6, radius=14, halvings=5),),
+    "shirt_front": (shirt_front(),),
+    "sleeve": (sleeve(),),
 }
 
 
@@ -181,16 +194,20 @@ def number(value):
     return repr(float(value) + 0.0).removesuffix(".0")
 
 
-def wkt(points):
+def ring(points):
     closed = [f"{number(x)} {number(y)}" for x, y in points + points[:1]]
     lines = [", ".join(closed[k:k + 6]) for k in range(0, len(closed), 6)]
-    return "POLYGON ((" + ",\n  ".join(lines) + "))\n"
+    return "(" + ",\n  ".join(lines) + ")"
+
+
+def wkt(rings):
+    return "POLYGON (" + ",\n  ".join(map(ring, rings)) + ")\n"
 
 
 def main():
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).parent
-    for name, points in POLYGONS.items():
-        (folder / f"{name}.wkt").write_text(wkt(points), encoding="ascii", newline="\n")
+    for name, rings in POLYGONS.items():
+        (folder / f"{name}.wkt").write_text(wkt(rings), encoding="ascii", newline="\n")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 /*
- * outer_face.c - from two WKT files to the outer face of their Minkowski sum: as WKT,
- * as exact fractions, as a picture. See USAGE.
+ * region.c - from two WKT files to their whole Minkowski sum: as WKT, as exact fractions,
+ * as a picture. See USAGE.
  *
  * SPDX-License-Identifier: LGPL-3.0-or-later
  */
@@ -18,13 +18,14 @@
 #include "svg.h"
 
 static const char USAGE[] =
-    "usage: outer_face A.wkt B.wkt [options]\n"
+    "usage: region A.wkt B.wkt [options]\n"
     "\n"
-    "Computes the outer face of the Minkowski sum of the polygons in two WKT files\n"
-    "and writes it as WKT.\n"
+    "Computes the region of the Minkowski sum of the polygons in two WKT files: its\n"
+    "outer ring, its holes, and the segments and points where one polygon fits the\n"
+    "other exactly. Writes it as WKT in two lines: the rings, then the exact fits.\n"
     "\n"
-    "  --no-fit X,Y  compute the no-fit polygon instead: where the point (X, Y) of B\n"
-    "                may go while B touches A, which stays where it is\n"
+    "  --no-fit X,Y  compute the no-fit region instead: where the point (X, Y) of B\n"
+    "                may not go, for there B overlaps A, which stays where it is\n"
     "  --wkt FILE    write the WKT to FILE, not to standard output\n"
     "  --svg FILE    draw A, B and the result to FILE\n"
     "  --exact       print the exact vertices to standard output (after the WKT, if\n"
@@ -46,21 +47,21 @@ typedef struct options {
 
 typedef struct results {
   gcv_polygon *a, *b;
-  gcv_outer_face *face;
+  gcv_region *region;
   double milliseconds;
 } results;
 
 /* ----------------------------------------------------------------- errors -- */
 
 static bool complain(const char *subject, const char *problem) {
-  fprintf(stderr, "outer_face: %s: %s\n", subject, problem);
+  fprintf(stderr, "region: %s: %s\n", subject, problem);
   return false;
 }
 
 /* Whether a call went well; if not, says what the library says, about `subject`. */
 static bool check(gcv_status status, const char *subject) {
   if (status == GCV_OK) return true;
-  fprintf(stderr, "outer_face: %s: %s: %s\n", subject, gcv_status_name(status),
+  fprintf(stderr, "region: %s: %s: %s\n", subject, gcv_status_name(status),
           gcv_last_error_message());
   return false;
 }
@@ -86,37 +87,84 @@ static bool compute(const options *o, results *r) {
   if (!load(o->a, &r->a) || !load(o->b, &r->b)) return false;
 
   clock_t start = clock();
-  gcv_status status = o->no_fit ? gcv_no_fit_polygon(r->a, r->b, o->reference, NULL, &r->face)
-                                : gcv_minkowski_sum(r->a, r->b, NULL, &r->face);
+  gcv_status status = o->no_fit ? gcv_no_fit_region(r->a, r->b, o->reference, NULL, &r->region)
+                                : gcv_minkowski_sum_region(r->a, r->b, NULL, &r->region);
   r->milliseconds = 1e3 * (double)(clock() - start) / CLOCKS_PER_SEC;
 
   if (status == GCV_OK) return true;
-  fprintf(stderr, "outer_face: %s and %s: %s: %s\n", o->a, o->b, gcv_status_name(status),
+  fprintf(stderr, "region: %s and %s: %s: %s\n", o->a, o->b, gcv_status_name(status),
           gcv_last_error_message());
   return false;
+}
+
+/* ------------------------------------------------------------------ parts -- */
+
+static void free_parts(parts *p) {
+  free(p->list);
+  free(p->xy);
+}
+
+/* The rings of a polygon, as the parts that they would be. */
+static bool polygon_parts(const gcv_polygon *polygon, parts *out) {
+  if (!check(gcv_polygon_ring_count(polygon, &out->count), "rings")) return false;
+  if (!(out->list = allocate(out->count, sizeof *out->list))) return false;
+  for (size_t k = 0; k < out->count; ++k) {
+    size_t count;
+    if (!check(gcv_polygon_ring(polygon, k, NULL, 0, &count), "vertices")) return false;
+    out->list[k] = (gcv_region_part){k ? GCV_PART_HOLE : GCV_PART_OUTER, 0, count};
+    out->vertex_count += count;
+  }
+  if (!(out->xy = allocate(out->vertex_count, 2 * sizeof(double)))) return false;
+  size_t start = 0, count = 0;
+  for (size_t k = 0; k < out->count; ++k, start += count) {
+    double *xy = out->xy + 2 * start;
+    if (!check(gcv_polygon_ring(polygon, k, xy, out->vertex_count - start, &count), "vertices"))
+      return false;
+  }
+  return true;
+}
+
+static bool region_parts(const gcv_region *region, parts *out) {
+  if (!check(gcv_region_parts(region, NULL, 0, &out->count), "parts") ||
+      !check(gcv_region_vertices(region, NULL, 0, &out->vertex_count), "vertices")) {
+    return false;
+  }
+  out->list = allocate(out->count, sizeof *out->list);
+  out->xy = allocate(out->vertex_count, 2 * sizeof(double));
+  return out->list && out->xy &&
+         check(gcv_region_parts(region, out->list, out->count, &out->count), "parts") &&
+         check(gcv_region_vertices(region, out->xy, out->vertex_count, &out->vertex_count),
+               "vertices");
 }
 
 /* ---------------------------------------------------------------- results -- */
 
 typedef bool writer(const options *o, const results *r, FILE *file);
 
-static bool write_wkt(const options *o, const results *r, FILE *file) {
-  (void)o;
+typedef gcv_status text_function(const gcv_region *region, char *text, size_t capacity,
+                                 size_t *required);
+
+static bool write_text(const gcv_region *region, text_function *get, FILE *file) {
   size_t length;
-  if (!check(gcv_outer_face_wkt(r->face, NULL, 0, &length), "WKT")) return false;
+  if (!check(get(region, NULL, 0, &length), "WKT")) return false;
   char *text = allocate(length, 1);
-  bool ok = text && check(gcv_outer_face_wkt(r->face, text, length, &length), "WKT");
+  bool ok = text && check(get(region, text, length, &length), "WKT");
   if (ok) fprintf(file, "%s\n", text);
   free(text);
   return ok;
 }
 
-static bool write_exact_vertex(const gcv_outer_face *face, size_t index, FILE *file) {
+static bool write_wkt(const options *o, const results *r, FILE *file) {
+  (void)o;
+  return write_text(r->region, gcv_region_wkt, file) &&
+         write_text(r->region, gcv_region_fits_wkt, file);
+}
+
+static bool write_exact_vertex(const gcv_region *region, size_t index, FILE *file) {
   size_t length;
-  if (!check(gcv_outer_face_exact_vertex(face, index, NULL, 0, &length), "vertex")) return false;
+  if (!check(gcv_region_exact_vertex(region, index, NULL, 0, &length), "vertex")) return false;
   char *text = allocate(length, 1);
-  bool ok =
-      text && check(gcv_outer_face_exact_vertex(face, index, text, length, &length), "vertex");
+  bool ok = text && check(gcv_region_exact_vertex(region, index, text, length, &length), "vertex");
   if (ok) fprintf(file, "%s\n", text);
   free(text);
   return ok;
@@ -125,17 +173,17 @@ static bool write_exact_vertex(const gcv_outer_face *face, size_t index, FILE *f
 static bool write_exact(const options *o, const results *r, FILE *file) {
   (void)o;
   size_t count;
-  bool ok = check(gcv_outer_face_exact_vertex_count(r->face, &count), "exact vertices");
-  for (size_t i = 0; ok && i < count; ++i) ok = write_exact_vertex(r->face, i, file);
+  bool ok = check(gcv_region_edge_sources(r->region, NULL, 0, &count), "exact vertices");
+  for (size_t i = 0; ok && i < count; ++i) ok = write_exact_vertex(r->region, i, file);
   return ok;
 }
 
 static bool write_stats(const options *o, const results *r, FILE *file) {
   (void)o;
-  size_t a, b, sum;
+  size_t a, b; /* vertices of the outer rings */
   double bound, area;
   gcv_stats stats = {.struct_size = sizeof stats};
-  gcv_status area_status = gcv_outer_face_area(r->face, &area);
+  gcv_status area_status = gcv_region_area(r->region, &area);
   if (area_status == GCV_ERR_RANGE)
     area = INFINITY; /* finite coordinates do not prevent it */
   else if (!check(area_status, "area"))
@@ -143,61 +191,64 @@ static bool write_stats(const options *o, const results *r, FILE *file) {
 
   if (!check(gcv_polygon_vertex_count(r->a, &a), "A") ||
       !check(gcv_polygon_vertex_count(r->b, &b), "B") ||
-      !check(gcv_outer_face_vertex_count(r->face, &sum), "vertices") ||
-      !check(gcv_outer_face_error_bound(r->face, &bound), "error bound") ||
-      !check(gcv_outer_face_stats(r->face, &stats), "statistics")) {
+      !check(gcv_region_error_bound(r->region, &bound), "error bound") ||
+      !check(gcv_region_stats(r->region, &stats), "statistics")) {
     return false;
   }
-  fprintf(file, "A           %zu vertices\n", a);
-  fprintf(file, "B           %zu vertices\n", b);
-  fprintf(file, "outer face  %zu vertices, area %.17g, error bound %.3g\n", sum, area, bound);
-  fprintf(file, "time        %.3f ms\n", r->milliseconds);
-  fprintf(file, "walk        %" PRIu64 " steps, %" PRIu64 " candidate edges\n", stats.walk_steps,
-          stats.candidate_edges);
-  fprintf(file, "predicates  %" PRIu64 " filtered, %" PRIu64 " fixed-width, %" PRIu64 " rational\n",
-          stats.predicates_filtered, stats.predicates_fixed_width, stats.predicates_rational);
-  fprintf(file, "rounding    %" PRIu64 " vertices repaired\n", stats.vertices_repaired);
-  return true;
+  parts sum = {0};
+  bool ok = region_parts(r->region, &sum);
+  if (ok) {
+    fprintf(file, "A           %zu vertices\n", a);
+    fprintf(file, "B           %zu vertices\n", b);
+    fprintf(file, "region      %zu vertices, area %.17g, error bound %.3g\n", sum.vertex_count,
+            area, bound);
+    fprintf(file, "inside      %zu holes, %zu segments, %zu points\n",
+            count_parts(&sum, GCV_PART_HOLE), count_parts(&sum, GCV_PART_SEGMENT),
+            count_parts(&sum, GCV_PART_POINT));
+    fprintf(file, "time        %.3f ms\n", r->milliseconds);
+    fprintf(file, "walk        %" PRIu64 " steps, %" PRIu64 " candidate edges\n", stats.walk_steps,
+            stats.candidate_edges);
+    fprintf(file,
+            "predicates  %" PRIu64 " filtered, %" PRIu64 " fixed-width, %" PRIu64 " rational\n",
+            stats.predicates_filtered, stats.predicates_fixed_width, stats.predicates_rational);
+    fprintf(file, "rounding    %" PRIu64 " vertices repaired, %" PRIu64 " parts dropped\n",
+            stats.vertices_repaired, stats.parts_dropped);
+  }
+  free_parts(&sum);
+  return ok;
 }
 
 /* ---------------------------------------------------------------- picture -- */
 
-static bool polygon_ring(const gcv_polygon *polygon, ring *out) {
-  size_t count;
-  if (!check(gcv_polygon_vertices(polygon, NULL, 0, &count), "vertices")) return false;
-  *out = (ring){allocate(count, 2 * sizeof(double)), count};
-  return out->xy && check(gcv_polygon_vertices(polygon, out->xy, count, &count), "vertices");
-}
+/* ---------------------------------------------------------------- picture -- */
 
-static bool face_ring(const gcv_outer_face *face, ring *out) {
+/* What the edges from the returned vertices come from: those from their exact vertices. */
+static bool find_sources(const gcv_region *region, size_t vertices, gcv_edge_source **out) {
   size_t count;
-  if (!check(gcv_outer_face_vertices(face, NULL, 0, &count), "vertices")) return false;
-  *out = (ring){allocate(count, 2 * sizeof(double)), count};
-  return out->xy && check(gcv_outer_face_vertices(face, out->xy, count, &count), "vertices");
-}
-
-/*
- * The sources belong to the edges of the exact ring. Where rounding changed the number of
- * edges, they say nothing about the returned ring, and *out stays NULL.
- */
-static bool face_sources(const gcv_outer_face *face, size_t edges, gcv_edge_source **out) {
-  size_t count;
-  if (!check(gcv_outer_face_edge_sources(face, NULL, 0, &count), "edge sources")) return false;
-  if (count != edges) return true;
-  *out = allocate(count, sizeof **out);
-  return *out && check(gcv_outer_face_edge_sources(face, *out, count, &count), "edge sources");
+  if (!check(gcv_region_edge_sources(region, NULL, 0, &count), "edge sources")) return false;
+  gcv_edge_source *exact = allocate(count, sizeof *exact);
+  uint64_t *indices = allocate(vertices, sizeof *indices);
+  *out = allocate(vertices, sizeof **out);
+  bool ok = exact && indices && *out &&
+            check(gcv_region_edge_sources(region, exact, count, &count), "edge sources") &&
+            check(gcv_region_exact_indices(region, indices, vertices, &vertices), "exact indices");
+  for (size_t i = 0; ok && i < vertices; ++i) (*out)[i] = exact[indices[i]];
+  free(indices);
+  free(exact);
+  return ok;
 }
 
 static bool write_picture(const options *o, const results *r, FILE *file) {
   picture p = {.no_fit = o->no_fit, .reference = {o->reference[0], o->reference[1]}};
   gcv_edge_source *sources = NULL;
-  bool ok = polygon_ring(r->a, &p.a) && polygon_ring(r->b, &p.b) && face_ring(r->face, &p.sum) &&
-            face_sources(r->face, p.sum.count, &sources);
+  bool ok = polygon_parts(r->a, &p.a) && polygon_parts(r->b, &p.b) &&
+            region_parts(r->region, &p.sum) &&
+            find_sources(r->region, p.sum.vertex_count, &sources);
   p.sources = sources;
   if (ok) write_svg(file, &p);
-  free(p.a.xy);
-  free(p.b.xy);
-  free(p.sum.xy);
+  free_parts(&p.a);
+  free_parts(&p.b);
+  free_parts(&p.sum);
   free(sources);
   return ok;
 }
@@ -278,7 +329,7 @@ int main(int argc, char **argv) {
   }
   results r = {0};
   bool ok = compute(&o, &r) && write_results(&o, &r);
-  gcv_outer_face_destroy(r.face);
+  gcv_region_destroy(r.region);
   gcv_polygon_destroy(r.b);
   gcv_polygon_destroy(r.a);
   return ok ? EXIT_SUCCESS : EXIT_FAILURE;
