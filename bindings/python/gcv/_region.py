@@ -176,7 +176,7 @@ class Region(Result):
     def exact_parts(self) -> list[RegionPart]:
         """The parts of the exact region, whatever the rounding of the floats.
 
-        The vertices of a part are exact_vertices[part.start:part.stop]. Rings have no
+        The vertices of a part are exact[part.start:part.stop]. Rings have no
         collinear vertices and visit no point twice. Segments are maximal, and are cut
         where they meet a ring; points lie on no ring and on no segment. Polygons, holes,
         segments and points are each in lexicographic order. With a tolerance, the region
@@ -185,15 +185,15 @@ class Region(Result):
         return _parts(self._fact("exact_parts"))
 
     @property
-    def exact_vertices(self) -> list[tuple[Fraction, Fraction]]:
+    def exact(self) -> list[tuple[Fraction, Fraction]]:
         """The vertices of all parts of the exact region, part after part."""
         return exact_points(self._fact("exact"))
 
     @property
     def exact_indices(self) -> numpy.typing.NDArray[numpy.int64]:
-        """For each of vertices, the index in exact_vertices of what it stands for.
+        """For each of vertices, the index in exact of what it stands for.
 
-        edge_sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
+        sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
         exact vertices that fell together, the first. For a vertex that rounding made, the
         start of the exact edge that it lies closest to, measured in floats.
 
@@ -202,21 +202,21 @@ class Region(Result):
         return indices(self._fact("exact_indices"))
 
     @property
-    def edge_sources(self) -> list[EdgeSource]:
+    def sources(self) -> list[EdgeSource]:
         """Where each edge of the exact region comes from.
 
-        i is for the edge from exact_vertices[i] to the next vertex of its part. The
+        i is for the edge from exact[i] to the next vertex of its part. The
         second end of a segment and a point have no edge: kind, a and b are 0 there. Where
         several edges of the superset overlap, one of them.
         """
         return edge_sources(self._fact("sources"))
 
     @property
-    def edge_owners(self) -> numpy.typing.NDArray[numpy.int64]:
+    def owners(self) -> numpy.typing.NDArray[numpy.int64]:
         """The polygon of a scene that made each edge of the exact region, by its id.
 
         Regions of two polygons come from no scene: all owners are 0. An array of shape
-        (n,), for the edges of edge_sources; a list without numpy.
+        (n,), for the edges of sources; a list without numpy.
         """
         return indices(self._fact("owners"))
 
@@ -334,7 +334,7 @@ class Region(Result):
         return bytes(located)
 
     def _located_here(self, doubles: bytes) -> bytes:
-        parts, vertices = self.exact_parts, self.exact_vertices
+        parts, vertices = self.exact_parts, self.exact
         fits = [vertices[part.start : part.stop] for part in parts if part.polygon is None]
         rings = [ring for polygon in _by_polygon(parts, vertices) for ring in polygon]
         return struct.pack(f"{size(doubles)}b", *located(points(doubles), rings, fits))

@@ -48,7 +48,7 @@ def vertices(exact: list[tuple[Fraction, Fraction]]) -> str:
 
 
 def parts(region: gcv.Region) -> str:
-    exact = region.exact_vertices
+    exact = region.exact
     texts = [
         f"{PARTS[part.kind]} {vertices(exact[part.start : part.stop])}"
         for part in region.exact_parts

@@ -173,7 +173,7 @@ SMALL = st.builds(
 @given(frames(), SMALL)
 def test_regions_begin_with_the_outer_face(a: gcv.Polygon, b: gcv.Polygon) -> None:
     region, face = gcv.minkowski_sum_region(a, b), a + b
-    assert region.exact_vertices[: len(face.exact)] == face.exact
+    assert region.exact[: len(face.exact)] == face.exact
     assert region.polygons[0].outer.tolist() == face.vertices.tolist()
     assert region.area <= face.area
     assert len(region) == 1
@@ -188,7 +188,7 @@ def test_places_without_the_library(
         assert duplicate == region
         points = points + [(x, y) for x, y in region.vertices.tolist()]
         assert region.locate(points).tolist() == duplicate.locate(points).tolist()
-        for x, y in region.exact_vertices:
+        for x, y in region.exact:
             if Fraction(float(x)) == x and Fraction(float(y)) == y:
                 assert region.locate((float(x), float(y))) is gcv.BOUNDARY
 

@@ -56,8 +56,8 @@ def rings(region: gcv.Region) -> list[tuple[Points, list[Points]]]:
 
 def facts(region: gcv.Region) -> tuple[Any, ...]:
     return (
-        *(region.parts, region.vertices.tolist(), region.exact_parts, region.exact_vertices),
-        *(region.exact_indices.tolist(), region.edge_sources, region.edge_owners.tolist()),
+        *(region.parts, region.vertices.tolist(), region.exact_parts, region.exact),
+        *(region.exact_indices.tolist(), region.sources, region.owners.tolist()),
         *(region.area, region.error_bound, region.stats, region.wkt, region.fits_wkt),
         *(rings(region), region.segments.tolist(), region.points.tolist(), list(region)),
     )
@@ -69,7 +69,7 @@ def test_frame() -> None:
     assert rings(region) == [(outer, [hole])]
     assert region.parts == [(gcv.PART_OUTER, 0, 0, 4), (gcv.PART_HOLE, 0, 4, 8)]
     assert region.exact_parts == region.parts
-    assert region.exact_vertices == [(Fraction(x), Fraction(y)) for x, y in outer + hole]
+    assert region.exact == [(Fraction(x), Fraction(y)) for x, y in outer + hole]
     assert region.exact_indices.tolist() == list(range(8))
     assert shown(region.vertices) == outer + hole
     assert region.area == 121 - 49
@@ -85,17 +85,17 @@ def test_frame() -> None:
     assert repr(region) == "<gcv.Region of 1 polygon, 1 hole>"
     # The hole is a translation of the hole's edges 4 to 7 by the corners of the square.
     corner = gcv.EDGE_TRANSLATED_CORNER
-    assert region.edge_sources[:4] == [(corner, k, k) for k in range(4)]
-    assert [source[1] for source in region.edge_sources[4:]] == [7, 6, 5, 4]
-    assert region.edge_owners.tolist() == [0] * 8
+    assert region.sources[:4] == [(corner, k, k) for k in range(4)]
+    assert [source[1] for source in region.sources[4:]] == [7, 6, 5, 4]
+    assert region.owners.tolist() == [0] * 8
 
 
 def test_outer_ring_is_the_outer_face() -> None:
     region = gcv.minkowski_sum_region(NOTCHED, TRIANGLE)
     face = gcv.minkowski_sum(NOTCHED, TRIANGLE)
-    assert region.exact_vertices == face.exact
+    assert region.exact == face.exact
     assert shown(region.vertices) == points(face)
-    assert region.edge_sources == face.sources
+    assert region.sources == face.sources
     assert region.area == face.area
     assert region.bounds == face.bounds
 
@@ -106,8 +106,8 @@ def test_segment_of_exact_fit() -> None:
     assert region.segments.tolist() == [[[2, 2], [2, 6]]]
     assert region.points.tolist() == []
     assert region.parts[1] == (gcv.PART_SEGMENT, None, 4, 6)
-    assert region.edge_sources[5] == (0, 0, 0)
-    assert region.edge_sources[4] != (0, 0, 0)
+    assert region.sources[5] == (0, 0, 0)
+    assert region.sources[4] != (0, 0, 0)
     assert region.fits_wkt == "GEOMETRYCOLLECTION (LINESTRING (2 2, 2 6))"
     assert region.bounds == (-2, -2, 6, 6)
     assert repr(region) == "<gcv.Region of 1 polygon, 1 segment>"
@@ -118,7 +118,7 @@ def test_point_of_exact_fit() -> None:
     assert rings(region) == [(box(-2, -2, 6, 6), [])]
     assert region.points.tolist() == [[2, 2]]
     assert region.parts[1] == (gcv.PART_POINT, None, 4, 5)
-    assert region.edge_sources[4] == (0, 0, 0)
+    assert region.sources[4] == (0, 0, 0)
     assert region.fits_wkt == "GEOMETRYCOLLECTION (POINT (2 2))"
 
 
@@ -144,7 +144,7 @@ def test_reference() -> None:
 
 
 def test_sources_of_entrance_region() -> None:
-    blocks = gcv.entrance_region(SQUARE_2, U_SHAPE).edge_sources
+    blocks = gcv.entrance_region(SQUARE_2, U_SHAPE).sources
     assert max(source.a for source in blocks) < 4 <= max(source.b for source in blocks)
 
 
@@ -184,9 +184,9 @@ def test_empty_region() -> None:
     assert region.vertices.shape == (0, 2)
     assert region.segments.shape == (0, 2, 2)
     assert region.points.shape == (0, 2)
-    assert region.exact_vertices == []
-    assert region.edge_sources == []
-    assert region.exact_indices.shape == region.edge_owners.shape == (0,)
+    assert region.exact == []
+    assert region.sources == []
+    assert region.exact_indices.shape == region.owners.shape == (0,)
     assert region.area == region.error_bound == 0
     assert all(map(math.isnan, region.bounds))
     assert region.wkt == "MULTIPOLYGON EMPTY"
@@ -258,7 +258,7 @@ def test_locate(pickled: bool) -> None:
 
 def test_locate_is_exact() -> None:
     region = gcv.minkowski_sum_region(NOTCHED, TRIANGLE)
-    assert region.exact_vertices[4] == (Fraction(10, 3), Fraction(7, 3))
+    assert region.exact[4] == (Fraction(10, 3), Fraction(7, 3))
     # The lowest point of a notch. Both floats are rounded alike: they are on its right side.
     x, y = region.vertices[4].tolist()
     assert Fraction(x) - Fraction(10, 3) == Fraction(y) - Fraction(7, 3) > 0
@@ -374,7 +374,7 @@ def test_rounding() -> None:
     tenth = (0.1, 0.0)
     nearest = gcv.no_fit_region(U_SHAPE, SQUARE_2, tenth)
     outward = gcv.no_fit_region(U_SHAPE, SQUARE_2, tenth, rounding="outward")
-    assert nearest.exact_vertices == outward.exact_vertices
+    assert nearest.exact == outward.exact
     assert nearest.segments.tolist() == [[[2.1, 2], [2.1, 6]]]
     assert nearest.error_bound > 0
     # No float is exactly 2 + 0.1: the segment cannot be shown, and is dropped.
@@ -395,7 +395,7 @@ def test_vertices_that_fall_together() -> None:
     far = gcv.Polygon(box(1, 1, 2, 2))
     tiny = scaled(TRIANGLE, 2.0**-60)
     region, face = gcv.minkowski_sum_region(far, tiny), far + tiny
-    assert len(region.exact_vertices) == 5
+    assert len(region.exact) == 5
     assert shown(region.vertices) == points(face) == box(1, 1, 2, 2)
     assert region.exact_indices.tolist() == face.exact_indices.tolist() == [0, 1, 2, 4]
     assert [face.sources[k] for k in face.exact_indices] == [

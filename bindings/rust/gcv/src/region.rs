@@ -196,7 +196,7 @@ impl Region {
     }
 
     /// The exact vertex that each vertex of [`Region::vertices`] stands for, as an index in
-    /// [`Region::exact_vertices`], [`Region::edge_sources`] and [`Region::edge_owners`].
+    /// [`Region::exact_vertices`], [`Region::sources`] and [`Region::owners`].
     ///
     /// If several exact vertices fell together, it is the first of them. If rounding made a
     /// new vertex, it is the start of the exact edge that the new vertex lies closest to.
@@ -214,7 +214,7 @@ impl Region {
     ///
     /// # Panics
     /// Without memory.
-    pub fn edge_sources(&self) -> Vec<Option<EdgeSource>> {
+    pub fn sources(&self) -> Vec<Option<EdgeSource>> {
         // SAFETY: see `elements`.
         let sources: Vec<sys::gcv_edge_source> = elements(|out, capacity, required| unsafe {
             sys::gcv_region_edge_sources(self.as_ptr(), out, capacity, required)
@@ -223,9 +223,9 @@ impl Region {
         sources.into_iter().map(convert).collect()
     }
 
-    /// The owner of every edge of the exact parts, as in [`Region::edge_sources`]: the id of
+    /// The owner of every edge of the exact parts, as in [`Region::sources`]: the id of
     /// the polygon of a scene that made it. All are 0 for regions of two polygons.
-    pub fn edge_owners(&self) -> Vec<u64> {
+    pub fn owners(&self) -> Vec<u64> {
         // SAFETY: see `elements`.
         elements(|out, capacity, required| unsafe {
             sys::gcv_region_edge_owners(self.as_ptr(), out, capacity, required)

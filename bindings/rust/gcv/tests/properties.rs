@@ -148,8 +148,8 @@ proptest! {
         let (vertices, exact) = (region.vertices(), region.exact_vertices());
         prop_assert_eq!(&region.polygons().next().unwrap()[0], &face.vertices());
         prop_assert!(exact.starts_with(&face.exact_vertices()));
-        prop_assert_eq!(region.edge_sources().len(), exact.len());
-        prop_assert_eq!(region.edge_owners().len(), exact.len());
+        prop_assert_eq!(region.sources().len(), exact.len());
+        prop_assert_eq!(region.owners().len(), exact.len());
         prop_assert_eq!(region.exact_indices().len(), vertices.len());
         prop_assert!(region.area().unwrap() <= face.area().unwrap());
         prop_assert_eq!(region.polygons().len(), 1);

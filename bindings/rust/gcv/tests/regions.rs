@@ -122,7 +122,7 @@ fn a_frame_and_a_square() {
 #[test]
 fn sources_run_through_all_rings() {
     let region = frame_and_square();
-    let sources: Vec<_> = region.edge_sources().into_iter().flatten().collect();
+    let sources: Vec<_> = region.sources().into_iter().flatten().collect();
     let convex = |k| TranslatedCorner {
         edge_a: k,
         edge_b: k,
@@ -138,7 +138,7 @@ fn sources_run_through_all_rings() {
     let superset = superset(&frame(), &square(1.)).unwrap();
     let is_in_superset = |source: &EdgeSource| superset.iter().any(|edge| edge.source == *source);
     assert!(sources.iter().all(is_in_superset), "{sources:?}");
-    assert_eq!(region.edge_owners(), [0; 8]);
+    assert_eq!(region.owners(), [0; 8]);
 }
 
 #[test]
@@ -156,7 +156,7 @@ fn a_peg_that_just_fits_a_slot() {
     assert_eq!(region.fits_wkt(), fits);
 
     // The segment is where both walls of the slot touch the peg; its second end has no edge.
-    let sources = region.edge_sources();
+    let sources = region.sources();
     let walls = [(5, 3), (3, 1)].map(|(edge_a, edge_b)| TranslatedCorner { edge_a, edge_b });
     assert!(walls.contains(&sources[4].unwrap()), "{sources:?}");
     assert_eq!(sources[5..], [None]);
@@ -176,7 +176,7 @@ fn a_peg_that_just_fits_a_slot() {
     let region = region.unwrap();
     assert_eq!(region.points(), [[3., 3.]]);
     assert_eq!(region.fits_wkt(), "GEOMETRYCOLLECTION (POINT (3 3))");
-    assert_eq!(region.edge_sources()[4..], [None]);
+    assert_eq!(region.sources()[4..], [None]);
 }
 
 #[test]
@@ -189,8 +189,8 @@ fn entrances_are_no_fits_with_other_names() {
     assert_eq!(entrance, no_fit);
     // The lower edge of the slot, 0, and the upper one of the peg, 2.
     let merged = |edge_a, edge_b| Some(TranslatedCorner { edge_a, edge_b });
-    assert_eq!(no_fit.edge_sources()[0], merged(0, 2));
-    assert_eq!(entrance.edge_sources()[0], merged(2, 0));
+    assert_eq!(no_fit.sources()[0], merged(0, 2));
+    assert_eq!(entrance.sources()[0], merged(2, 0));
 }
 
 #[test]
@@ -204,7 +204,7 @@ fn the_first_ring_is_the_outer_face() {
     assert_eq!(region.exact_vertices(), face.exact_vertices());
     assert_eq!(region.exact_vertex(4).unwrap(), "10/3 7/3");
     let sources: Vec<_> = face.sources().into_iter().map(Some).collect();
-    assert_eq!(region.edge_sources(), sources);
+    assert_eq!(region.sources(), sources);
     assert!(face.exact_indices().into_iter().eq(0..7));
     assert_eq!(region.exact_indices(), face.exact_indices());
     assert!(0. < region.error_bound() && region.error_bound() < 1e-15);
@@ -243,7 +243,7 @@ fn squares_in_a_box() {
     let wkt = "MULTIPOLYGON (((0 0, 3 0, 3 2, 0 2, 0 0)))";
     assert_eq!(region.wkt(), wkt);
     assert_eq!(region.area(), Ok(6.));
-    for (k, source) in region.edge_sources().into_iter().enumerate() {
+    for (k, source) in region.sources().into_iter().enumerate() {
         // Side k of the square slides along side k of the container.
         let ends = [k, (k + 1) % 4].map(|vertex_b| Translated {
             edge_a: k,
@@ -271,8 +271,8 @@ fn a_box_of_the_same_size() {
     assert_eq!(region.parts(), parts(&[(PartKind::Point, 1)]));
     assert_eq!(region.wkt(), "MULTIPOLYGON EMPTY");
     assert_eq!(region.fits_wkt(), "GEOMETRYCOLLECTION (POINT (0 0))");
-    assert_eq!(region.edge_sources(), [None]);
-    assert_eq!(region.edge_owners(), [0]);
+    assert_eq!(region.sources(), [None]);
+    assert_eq!(region.owners(), [0]);
     let locations = region.locate(&[[0., 0.], [0., 1e-300]]);
     assert_eq!(locations, Ok(vec![Location::Boundary, Location::Outside]));
 }
@@ -285,7 +285,7 @@ fn no_room() {
     assert!(region.parts().is_empty() && region.exact_parts().is_empty());
     assert!(region.vertices().is_empty() && region.exact_vertices().is_empty());
     assert!(region.segments().is_empty() && region.points().is_empty());
-    assert!(region.edge_sources().is_empty() && region.exact_indices().is_empty());
+    assert!(region.sources().is_empty() && region.exact_indices().is_empty());
     assert_eq!(region.exact_vertex(0), None);
     assert_eq!((region.area(), region.error_bound()), (Ok(0.), 0.));
     assert_eq!(region.wkt(), "MULTIPOLYGON EMPTY");
@@ -315,7 +315,7 @@ fn two_rooms() {
             edge_b: k,
         })
     });
-    assert_eq!(next.edge_sources(), edges);
+    assert_eq!(next.sources(), edges);
     let error = region.polygon(2).unwrap_err();
     assert_eq!(error.status, GCV_ERR_INVALID_ARGUMENT);
     assert!(error.message.contains('2'), "{error}");
@@ -412,7 +412,7 @@ fn outward_inner_fits_lie_inside() {
     let region = inner_fit_region(&container, &moving, [0.1, 0.2], &outward).unwrap();
     let locations = region.locate(&region.vertices()).unwrap();
     assert!(locations.len() >= 3 && !locations.contains(&Location::Outside));
-    assert!(region.edge_sources().iter().flatten().all(|source| {
+    assert!(region.sources().iter().flatten().all(|source| {
         matches!(source, Translated { edge_a, vertex_b } if *edge_a < 4 && *vertex_b < 3)
     }));
 }
