@@ -1,6 +1,6 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""python -m gcv: the outer face of the sum of two polygons in files."""
+"""python -m gcv: the sum of two polygons in files, its outer face or its region."""
 
 from __future__ import annotations
 
@@ -10,10 +10,11 @@ import importlib
 import sys
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Optional
+from typing import Any, Optional, Union
 
 import gcv
 
+from ._coordinates import Points
 from ._drawing import svg
 
 
@@ -21,34 +22,46 @@ def main(arguments: Optional[list[str]] = None) -> int:
     """Run the program; the exit status is 0, 1 for a failure, 2 for wrong usage."""
     options = _parser().parse_args(arguments)
     try:
-        face = _compute(options)
+        result = _compute(options)
         if options.svg is not None:
-            options.svg.write_text(svg([face._ring_points(), *options.drawn]) + "\n")
+            options.svg.write_text(_picture(result, options.drawn) + "\n")
     except (gcv.Error, OSError) as error:
         print(f"gcv: {error}", file=sys.stderr)
         return 1
     except KeyboardInterrupt:
         print("gcv: interrupted", file=sys.stderr)
         return 130
-    print(face.wkt)
+    print(result.wkt)
+    if isinstance(result, gcv.Region):
+        print(result.fits_wkt)
     return 0
 
 
 def _parser() -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(
         prog="python -m gcv",
-        description="Prints the outer face of the Minkowski sum A + B as Well-Known Text. "
-        "A and B are files of Well-Known Text or GeoJSON, each with one polygon.",
+        description="Prints the outer face of the Minkowski sum A + B as Well-Known Text, or "
+        "its whole region: the polygons, and in a second line the segments and points of exact "
+        "fits. A and B are files of Well-Known Text or GeoJSON, each with one polygon.",
     )
     parser.add_argument("a", type=Path, metavar="A.wkt")
     parser.add_argument("b", type=Path, metavar="B.wkt")
-    parser.add_argument(
+    parser.add_argument("--region", action="store_true", help="the whole region")
+    placing = parser.add_mutually_exclusive_group()
+    placing.add_argument(
         "--no-fit",
         nargs=2,
         type=float,
         metavar=("X", "Y"),
         help="instead the no-fit polygon A + (-B) + (X, Y): where the point (X, Y) of B may go "
         "while A and B touch",
+    )
+    placing.add_argument(
+        "--inner-fit",
+        nargs=2,
+        type=float,
+        metavar=("X", "Y"),
+        help="instead the region where the point (X, Y) of B may go with B inside A",
     )
     parser.add_argument("--rounding", choices=["nearest", "outward"], default="nearest")
     parser.add_argument(
@@ -65,28 +78,33 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _compute(options: argparse.Namespace) -> gcv.OuterFace:
+def _compute(options: argparse.Namespace) -> Union[gcv.OuterFace, gcv.Region]:
     a, b = _read(options.a), _read(options.b)
     options.drawn = [a._ring_points(), b._ring_points()]
+    function: Any
+    if options.inner_fit is not None:
+        function, point = gcv.inner_fit_region, [options.inner_fit]
+    elif options.no_fit is not None:
+        function = gcv.no_fit_region if options.region else gcv.no_fit_polygon
+        point = [options.no_fit]
+    else:
+        function = gcv.minkowski_sum_region if options.region else gcv.minkowski_sum
+        point = []
     with _progress_bar() as progress:
-        if options.no_fit is not None:
-            return gcv.no_fit_polygon(
-                a,
-                b,
-                options.no_fit,
-                rounding=options.rounding,
-                tolerance=options.tolerance,
-                threads=options.threads,
-                progress=progress,
-            )
-        return gcv.minkowski_sum(
-            a,
-            b,
+        result: Union[gcv.OuterFace, gcv.Region] = function(
+            *(a, b, *point),
             rounding=options.rounding,
             tolerance=options.tolerance,
             threads=options.threads,
             progress=progress,
         )
+    return result
+
+
+def _picture(result: Union[gcv.OuterFace, gcv.Region], drawn: list[list[Points]]) -> str:
+    if isinstance(result, gcv.Region):
+        return svg([result._all_ring_points(), *drawn], result._fit_points())
+    return svg([result._ring_points(), *drawn])
 
 
 def _read(file: Path) -> gcv.Polygon:

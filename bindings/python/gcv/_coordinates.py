@@ -81,6 +81,24 @@ def geometry_of_text(text: bytes) -> Optional[Any]:
         raise InputError(PARSE, f"polygon: GeoJSON text: {error}") from None
 
 
+def of_one_part(text: bytes) -> bytes:
+    """Well-Known Text of a MULTIPOLYGON of one part as that of the part.
+
+    Every other byte stays where it is, with blanks for what goes. Raises InputError for
+    other numbers of parts.
+    """
+    tag = re.match(rb"\s*(MULTI)POLYGON\s*(?:ZM|Z|M)?\s*(?:(\()|EMPTY\s*$)", text, re.IGNORECASE)
+    if not tag:
+        return text
+    parts = len(re.findall(rb"\(\s*\(", text[tag.end() :])) if tag[2] else 0
+    if parts != 1:
+        raise _invalid(f"a MultiPolygon of {parts} parts is not one polygon")
+    bare = bytearray(text.rstrip())
+    bare[slice(*tag.span(1))] = b" " * len(tag[1])
+    bare[tag.start(2)] = ord(" ")
+    return bytes(bare[:-1] if bare.endswith(b")") else bare)
+
+
 def without_elevations(text: bytes) -> bytes:
     """Well-Known Text with blanks for the Z and M of a POLYGON and for their numbers.
 

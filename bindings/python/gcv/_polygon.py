@@ -45,9 +45,10 @@ class Polygon(Shape):
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
       mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature or a
       FeatureCollection of one of these;
-    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))";
+    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))"
+      or a MULTIPOLYGON of one part;
     - the pathlib.Path of a file of such text;
-    - another polygon, or an outer face.
+    - another polygon, an outer face, or a region of one polygon and nothing else.
 
     Elevations are left out. Holes are kept; those of the argument holes are added to
     them, each a ring in one of the forms above. A polygon lies inside its outer ring

@@ -17,6 +17,7 @@ from . import _ffi
 from ._coordinates import (
     Rings,
     geometry_of_text,
+    of_one_part,
     ring_in_buffer,
     rings_of,
     unfit,
@@ -68,7 +69,7 @@ def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
         text = source.encode(errors="replace") if isinstance(source, str) else bytes(source)
         geometry = geometry_of_text(text)
         if geometry is None:
-            return created_of_wkt(without_elevations(text))
+            return created_of_wkt(without_elevations(of_one_part(text)))
         source = geometry
     return rings_of(source), None
 

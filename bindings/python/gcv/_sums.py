@@ -37,7 +37,10 @@ def minkowski_sum(
 ) -> OuterFace:
     """The outer face of the Minkowski sum A + B = {a + b : a in A, b in B}.
 
-    a, b: polygons, or whatever Polygon can be made from.
+    a, b: polygons, or whatever Polygon can be made from. Their holes change nothing.
+
+    The ring is the outer boundary. It leaves out what lies inside: holes of the sum, and
+    the segments and points of exact fits. minkowski_sum_region has all of them.
 
     rounding: how exact coordinates become floats. With "nearest" each is the nearest
     float, save where vertices must move a few units in the last place for the ring to
@@ -123,6 +126,9 @@ def entrance_block(
 
     It is where the point a0, (x, y) and tied to block A, may go while A and B touch; a0
     is the origin by default. In the sources, a is a number of A and b one of B.
+
+    What holds outside, on and inside the ring is said at no_fit_polygon. entrance_region
+    has what the ring leaves out.
 
     Options, exactness and errors are those of no_fit_polygon.
     """

@@ -110,9 +110,30 @@ def test_program_options(tmp_path: Path) -> None:
     assert program(tmp_path, "a.wkt", "b.wkt", "--tolerance", "20").stdout == near.wkt + "\n"
 
 
+def test_program_regions(tmp_path: Path) -> None:
+    (tmp_path / "slot.wkt").write_text("POLYGON ((0 0, 6 0, 6 6, 4 6, 4 2, 2 2, 2 6, 0 6))")
+    (tmp_path / "peg.wkt").write_text("POLYGON ((0 0, 2 0, 2 2, 0 2))")
+    options = "slot.wkt", "peg.wkt", "--svg", "out.svg"
+    run = program(tmp_path, *options, "--region", "--no-fit", "0", "1")
+    rings = "MULTIPOLYGON (((-2 -1, 6 -1, 6 7, -2 7, -2 -1)))"
+    fits = "GEOMETRYCOLLECTION (LINESTRING (2 3, 2 7))"
+    assert (run.stdout, run.stderr, run.returncode) == (f"{rings}\n{fits}\n", "", 0)
+    assert (tmp_path / "out.svg").read_text().count("<path") == 4
+    run = program(tmp_path, *options, "--inner-fit", "0", "0")
+    fits = (
+        "GEOMETRYCOLLECTION (LINESTRING (0 0, 0 4), LINESTRING (0 0, 4 0), LINESTRING (4 0, 4 4))"
+    )
+    assert (run.stdout, run.returncode) == (f"MULTIPOLYGON EMPTY\n{fits}\n", 0)
+    run = program(tmp_path, *options, "--region")
+    assert run.stdout == "MULTIPOLYGON (((0 0, 8 0, 8 8, 0 8, 0 0)))\n" + (
+        "GEOMETRYCOLLECTION (LINESTRING (4 4, 4 8))\n"
+    )
+
+
 @pytest.mark.parametrize(
     ("arguments", "status", "reason"),
     [
+        (["a.wkt", "b.wkt", *("--no-fit", "0", "0", "--inner-fit", "0", "0")], 2, "not allowed"),
         (["a.wkt"], 2, "usage"),
         (["a.wkt", "b.wkt", "--rounding", "up"], 2, "up"),
         (["a.wkt", "b.wkt", "--tolerance", "-1"], 1, "tolerance"),

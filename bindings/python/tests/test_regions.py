@@ -208,7 +208,8 @@ def test_polygons_for_the_next_sum() -> None:
     polygon = region.polygon(0)
     assert polygon == gcv.Polygon(box(0, 0, 11, 11), [box(2, 2, 9, 9)])
     assert list(region) == [polygon]
-    assert gcv.Polygon(region) == polygon
+    assert gcv.Polygon(region) == gcv.Polygon(region.wkt) == polygon
+    assert gcv.Polygon(*region.polygons[0]) == polygon
     assert gcv.minkowski_sum_region(region, SQUARE).area == 12**2 - 6**2
     rooms = gcv.inner_fit_region(DUMB_BELL, SQUARE_2)
     assert [room.area for room in rooms] == [4, 4]

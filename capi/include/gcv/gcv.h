@@ -462,7 +462,8 @@ typedef struct gcv_outer_face gcv_outer_face;
 
 /**
  * The outer face of the Minkowski sum A + B: the boundary of the unbounded
- * component of the plane without A + B.
+ * component of the plane without A + B. It leaves out what lies inside: holes of the sum, and
+ * the segments and points of exact fits. gcv_minkowski_sum_region has all of them.
  *
  * @param a        the polygon A.
  * @param b        the polygon B; the same handle may be given twice.
@@ -514,7 +515,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_no_fit_polygon(const gcv_polygon *fixed,
 /**
  * Shi's entrance block E(A, B) = { b - a + a0 } = B + (-A) + a0, for contact
  * detection: where the point a0 of block A may go while A and B touch. What holds on the
- * ring, outside and inside of it is as in gcv_no_fit_polygon.
+ * ring, outside and inside of it is as in gcv_no_fit_polygon. gcv_entrance_region has what the
+ * ring leaves out.
  *
  * @param a        the block A, which moves.
  * @param b        the block B.

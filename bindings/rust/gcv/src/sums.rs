@@ -11,6 +11,9 @@ use crate::{EdgeSource, Error, Options, OuterFace, Polygon};
 
 /// The outer face of the Minkowski sum A + B.
 ///
+/// It leaves out what lies inside the ring: holes of the sum, and the segments and points of
+/// exact fits. [`minkowski_sum_region`](crate::minkowski_sum_region) has all of them.
+///
 /// # Errors
 /// `GCV_ERR_RANGE` where a coordinate of the result is no finite `f64`, or where the
 /// result is so small that in `f64` it has no area; `GCV_ERR_INVALID_ARGUMENT` for an
@@ -51,7 +54,9 @@ pub fn no_fit_polygon(
 
 /// Shi's entrance block E(A, B) = B + (-A) + a0.
 ///
-/// It is where the point `a0`, tied to block A, may go while A and B touch.
+/// It is where the point `a0`, tied to block A, may go while A and B touch. What holds
+/// outside, on and inside the ring is said at [`no_fit_polygon`].
+/// [`entrance_region`](crate::entrance_region) has what the ring leaves out.
 ///
 /// # Errors
 /// As [`no_fit_polygon`].
