@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Remakes two figures of the paper from its pairs of polygons.
+"""Draws the pictures of the pages, each as SVG and as PNG.
 
-docs/gallery is its Fig. 9, the nine pairs and their sums; docs/superset is its Fig. 8,
-the superset of one of them. Both are written as SVG and as PNG.
+docs/gallery is Fig. 9 of the paper, its nine pairs of polygons and their sums, with their
+holes; docs/superset is its Fig. 8, the superset of one of them. docs/regions shows regions,
+docs/witnesses how one is found.
 """
 
 from __future__ import annotations
@@ -14,31 +15,37 @@ from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import NamedTuple
 
+import gallery_regions
+import gallery_witnesses
 import matplotlib
+from gallery_style import (
+    BLUE,
+    GREEN,
+    INK,
+    STYLE_A,
+    STYLE_B,
+    STYLE_SUM,
+    VERMILION,
+    arrange,
+    place,
+    save,
+    size,
+)
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
-from matplotlib.transforms import Affine2D
 
 import gcv
 
 ROOT = Path(__file__).resolve().parent.parent
 PAIR_OF_SUPERSET = "fork"
 
-# The palette of Okabe and Ito, which tells colours apart for colour-blind readers too.
-BLUE, VERMILION, GREEN, INK = "#0072b2", "#d55e00", "#009e73", "#222222"
-STYLE_A = {"facecolor": "#d6e8f4", "edgecolor": BLUE}
-STYLE_B = {"facecolor": "#fae3d4", "edgecolor": VERMILION}
-STYLE_SUM = {"facecolor": "#eeeeee", "edgecolor": INK}
 KINDS = {
     gcv.EDGE_TRANSLATED: (BLUE, "translated edges:\nan edge of A at a vertex of B"),
     gcv.EDGE_CORNER: (VERMILION, "corner edges:\nan edge of B at a vertex of A"),
     gcv.EDGE_TRANSLATED_CORNER: (GREEN, "translated-corner edges:\none of A and one of B, merged"),
 }
 
-COLUMNS = 3
-CELL, CAPTION, GAP = 3.0, 0.8, 0.4  # inches: the width of a cell, the height of its caption
-TALLEST = 1.35  # the height of a row, in widths of a cell, at most
 # A polygon that is this many times smaller than the other is drawn once more, magnified.
 SMALL, MAGNIFICATION = 10, 5
 
@@ -90,31 +97,15 @@ def read(file: Path) -> Operand:
 def gallery(pairs: Sequence[Pair]) -> Figure:
     """Draw three pairs a row, the widest pictures first."""
     figure = Figure()
-    cells = [draw_pair(figure.add_axes((0, 0, 1, 1)), pair) for pair in pairs]
-    cells.sort(key=height_for_width)
-    rows = [cells[k : k + COLUMNS] for k in range(0, len(cells), COLUMNS)]
-    heights = [min(max(map(height_for_width, row)), TALLEST) * CELL for row in rows]
-    width, height = COLUMNS * (CELL + GAP) + GAP, sum(heights) + len(rows) * (CAPTION + GAP) + GAP
-    figure.set_size_inches(width, height)
-    top = height
-    for row, row_height in zip(rows, heights):
-        top -= GAP + CAPTION + row_height
-        for column, ax in enumerate(row):
-            left = GAP + column * (CELL + GAP)
-            ax.set_position((left / width, top / height, CELL / width, row_height / height))
+    arrange(figure, [draw_pair(figure.add_axes((0, 0, 1, 1)), pair) for pair in pairs])
     return figure
 
 
-def height_for_width(ax: Axes) -> float:
-    (left, right), (bottom, top) = ax.get_xlim(), ax.get_ylim()
-    return (top - bottom) / (right - left)
-
-
 def draw_pair(ax: Axes, pair: Pair) -> Axes:
-    """Draw A and B, and below them, to the same scale, the outer face of A + B."""
+    """Draw A and B, and below them, to the same scale, A + B with its holes."""
     a, b = pair.a.polygon, pair.b.polygon
-    face = a + b
-    width, height = size(face.polygon)
+    (whole,) = gcv.minkowski_sum_region(a, b, leave_out="fits")
+    width, height = size(whole)
     gap = width / 12
     operands = [(a, STYLE_A, scale) for scale in scales(a, b)]
     operands += [(b, STYLE_B, scale) for scale in scales(b, a)]
@@ -135,7 +126,7 @@ def draw_pair(ax: Axes, pair: Pair) -> Axes:
                 va="top",
             )
         right = left + across
-    draw(ax, face.polygon, STYLE_SUM, (right - width) / 2, 0)
+    draw(ax, whole, STYLE_SUM, (right - width) / 2, 0)
     ax.set(xlim=(0, right), ylim=(0, height + gap + tallest), aspect="equal", anchor="N")
     ax.set_axis_off()
 
@@ -143,7 +134,7 @@ def draw_pair(ax: Axes, pair: Pair) -> Axes:
     captions = [
         (describe("A", pair.a), BLUE),
         (describe("B", pair.b), VERMILION),
-        (f"A + B: {len(face)} vertices", INK),
+        (f"A + B: {len(whole)} vertices{and_holes(whole)}", INK),
     ]
     for line, (text, colour) in enumerate(captions):
         ax.annotate(
@@ -188,15 +179,15 @@ def superset(pair: Pair) -> Figure:
     return figure
 
 
-def size(polygon: gcv.Polygon) -> tuple[float, float]:
-    left, bottom, right, top = polygon.bounds
-    return right - left, top - bottom
-
-
 def scales(polygon: gcv.Polygon, other: gcv.Polygon) -> tuple[int, ...]:
     """Return the scales that a polygon is drawn at, beside the other."""
     small = SMALL * max(size(polygon)) < max(size(other))
     return (1, MAGNIFICATION) if small else (1,)
+
+
+def and_holes(polygon: gcv.Polygon) -> str:
+    holes = polygon.ring_count - 1
+    return f", {holes} holes" if holes else ""
 
 
 def describe(label: str, operand: Operand) -> str:
@@ -207,18 +198,10 @@ def draw(
     ax: Axes, polygon: gcv.Polygon, style: dict[str, str], x: float, y: float, scale: float = 1
 ) -> None:
     """Draw a polygon with the lower left corner of its box at (x, y)."""
-    left, bottom, _, _ = polygon.bounds
-    moved = Affine2D().translate(-left, -bottom).scale(scale).translate(x, y) + ax.transData
+    moved = place(ax, polygon, x, y, scale)
     polygon.plot(
         ax, alpha=None, linewidth=0.8, joinstyle="round", clip_on=False, transform=moved, **style
     )
-
-
-def save(figure: Figure, name: str, folder: Path) -> None:
-    """Write a picture, the same to the byte whenever it is drawn."""
-    with matplotlib.rc_context({"svg.hashsalt": "gcv"}):
-        figure.savefig(folder / f"{name}.svg", metadata={"Date": None, "Creator": None})
-        figure.savefig(folder / f"{name}.png", dpi=110, metadata={"Software": None})
 
 
 def main() -> None:
@@ -230,6 +213,12 @@ def main() -> None:
     save(gallery(pairs), "gallery", ROOT / "docs")
     of_superset = next(pair for pair in pairs if pair.name == PAIR_OF_SUPERSET)
     save(superset(of_superset), "superset", ROOT / "docs")
+    fork = gallery_regions.no_fit(
+        "Two forks, closer", of_superset.a.polygon, -of_superset.b.polygon
+    )
+    shown = [fork, *gallery_regions.examples()]
+    save(gallery_regions.regions(shown), "regions", ROOT / "docs")
+    save(gallery_witnesses.example(), "witnesses", ROOT / "docs")
 
 
 if __name__ == "__main__":

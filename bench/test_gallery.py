@@ -6,10 +6,15 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+from fractions import Fraction
 from pathlib import Path
+from random import Random
 from xml.etree import ElementTree
 
 import gallery
+import gallery_regions
+import gallery_style
+import gallery_witnesses
 import pytest
 from matplotlib.figure import Figure
 from matplotlib.text import Text
@@ -61,9 +66,89 @@ def test_superset(pairs: list[gallery.Pair]) -> None:
     assert f"{len(kinds)} edges of the superset" in texts(figure)
 
 
+EXPECTED = {
+    "A peg in its slot": "1 polygon, 1 segment",
+    "Keyholes": "1 polygon, 2 holes, 1 point",
+    "Combs that mesh": "1 polygon, 8 segments",
+    "Pieces of a jigsaw": "1 polygon, 1 point",
+    "A part in a sheet with flaws": "1 polygon, 1 hole, 1 segment",
+}
+
+
+def test_regions() -> None:
+    examples = gallery_regions.examples()
+    assert {e.name: gallery_regions.counts(e.region) for e in examples} == EXPECTED
+    figure = gallery_regions.regions(examples)
+    assert texts(figure) >= {*EXPECTED, *EXPECTED.values()}
+    # The region twice and A, and B where it is placed; a line for each of its fits and places.
+    for ax, example in zip(figure.axes, examples):
+        placed = gallery_regions.places(example)
+        assert len(ax.patches) == 3 + len(placed)
+        region = example.region
+        assert len(ax.lines) == 2 * (len(region.segments) + len(region.points)) + len(placed)
+        locations = region.locate(placed)
+        assert set(locations.tolist()) == {gcv.BOUNDARY}
+
+
+def test_many_holes() -> None:
+    grid = [[(3 * k + 1, 1), (3 * k + 3, 1), (3 * k + 3, 3), (3 * k + 1, 3)] for k in range(9)]
+    plate = gcv.Polygon([(0, 0), (28, 0), (28, 4), (0, 4)], grid)
+    example = gallery_regions.no_fit("plate", plate, gcv.Polygon([(0, 0), (1, 0), (0, 1)]))
+    assert gallery_regions.counts(example.region) == "1 polygon, 9 holes"
+    assert gallery_regions.places(example) == []
+
+
+def test_witnesses() -> None:
+    """What is covered and what is left of the edge, and that the region says the same."""
+    a, b = gallery_witnesses.A, gallery_witnesses.B
+    region = gcv.minkowski_sum_region(a, b)
+    line = gallery_witnesses.superset_edge(
+        *(a, b, gcv.EDGE_TRANSLATED),
+        *(gallery_witnesses.EDGE_OF_A, gallery_witnesses.VERTEX_OF_B),
+    )
+    witnesses, free = gallery_witnesses.cover(a, b, line)
+    assert [(w.p.edges, w.q.edges) for w in witnesses] == [(1, 8), (1, 1), (1, 1)]
+    assert free == [(Fraction(5, 7), Fraction(1))]
+
+    def locate(t: Fraction) -> gcv.Location:
+        x, y = line.at(t)
+        return region.locate((float(x), float(y)))
+
+    for low, high in free:
+        assert {locate(low + (high - low) * k / 8) for k in range(9)} == {gcv.BOUNDARY}
+    for found in witnesses:
+        low, high = max(found.enter, Fraction(0)), min(found.leave, Fraction(1))
+        inner = {locate(low + (high - low) * Fraction(k, 8)) for k in range(1, 8)}
+        assert inner == {gcv.INSIDE}
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_witnesses_lie_in_the_open_sum(seed: int) -> None:
+    """Those of chains too: the middles of what they cover of a line."""
+    a, b = gallery_witnesses.A, gallery_witnesses.B
+    region = gcv.minkowski_sum_region(a, b)
+    random = Random(seed)
+    start = (Fraction(random.randint(-32, 224), 8), Fraction(random.randint(-32, 160), 8))
+    line = gallery_witnesses.Line(
+        start, (Fraction(random.randint(-99, 99), 8), Fraction(random.randint(-99, 99), 8))
+    )
+    pairs = [(gallery_witnesses.chain_of(a), gallery_witnesses.chain_of(b))]
+    found = []
+    for p, q in pairs:
+        covered = gallery_witnesses.witness(p, q, line)
+        found += [covered] if covered else []
+        if p.edges > 1:
+            pairs += [(half, q) for half in p.halves()]
+        elif q.edges > 1:
+            pairs += [(p, half) for half in q.halves()]
+    middles = [line.at((w.enter + w.leave) / 2) for w in found]
+    assert {region.locate((float(x), float(y))) for x, y in middles} <= {gcv.INSIDE}
+    assert found
+
+
 def test_pictures_are_the_same_to_the_byte(pairs: list[gallery.Pair], tmp_path: Path) -> None:
     for name in "first", "second":
-        gallery.save(gallery.superset(pairs[1]), name, tmp_path)
+        gallery_style.save(gallery.superset(pairs[1]), name, tmp_path)
     for kind in "svg", "png":
         first, second = ((tmp_path / f"{name}.{kind}").read_bytes() for name in ("first", "second"))
         assert first == second

@@ -89,6 +89,7 @@ def _put_all(patch: Any, rings: Sequence[Points]) -> None:
     outlines = (Outline([*ring, ring[0]], closed=True) for ring in rings)
     hollow = PathPatch(Outline.make_compound_path(*outlines))
     hollow.update_from(patch)
+    hollow.set_zorder(patch.get_zorder())
     ax = patch.axes
     patch.remove()
     ax.add_patch(hollow)

@@ -249,9 +249,10 @@ def test_svg() -> None:
 def test_plot() -> None:
     figure, ax = pyplot.subplots(figsize=(2, 2), dpi=100)
     ax.set_position((0, 0, 1, 1))
-    gcv.Polygon(SHAPELY).plot(ax, facecolor="red", alpha=1, edgecolor="none")
+    gcv.Polygon(SHAPELY).plot(ax, facecolor="red", alpha=1, edgecolor="none", zorder=7)
     (patch,) = ax.patches
     assert isinstance(patch, PathPatch)
+    assert patch.get_zorder() == 7
     assert patch.get_facecolor() == (1, 0, 0, 1)
     figure.canvas.draw()
     picture = np.asarray(figure.canvas.buffer_rgba())  # type: ignore[attr-defined]
