@@ -5,7 +5,8 @@
 Each part goes as far left as it can, then as far down, while the parts before it stay where
 they are. No-fit polygons say where that is: the reference point of a part, the lower left
 corner of its box, must not be inside the no-fit polygon of any part before it. Positions
-are fractions, so that parts that touch do so exactly.
+are fractions, so that parts that touch do so exactly. Places inside another no-fit polygon,
+in a hole of it or where a part just fits, are left out: gcv.no_fit_region has those too.
 """
 
 from __future__ import annotations

@@ -1,12 +1,25 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-# Compiles and runs the program in README.md, and compares what it prints with what README.md
-# says: readme_test.sh README HEADERS LIBRARY SCRATCH
+# Compiles and runs the first program in a page, and compares what it prints with the block behind
+# it: readme_test.sh PAGE LIBRARY SCRATCH FOLDER_OF_HEADERS...
 set -euo pipefail
-readme=$1 headers=$2 library=$3 scratch=$4
+page=$1 library=$2 scratch=$3
+shift 3
 mkdir -p "$scratch"
-sed -n '/^```c$/,/^```$/p' "$readme" | sed '1d;$d' > "$scratch/readme.c"
-"${CC:-cc}" -std=c99 -Wall -Wextra -Werror -I "$headers" "$scratch/readme.c" "$library" \
-  -Wl,-rpath,"$(dirname "$library")" -o "$scratch/readme"
-diff <("$scratch/readme") <(sed -n '/^MULTIPOLYGON/,/^```$/p' "$readme" | sed '$d')
+
+# The first block of the page that begins with this line.
+block() {
+  awk -v start="$1" '
+    $0 == "```" && on { exit }
+    on { print }
+    $0 == start && !on { on = 1 }' "$2"
+}
+
+block '```c' "$page" > "$scratch/program.c"
+sed '1,/^```c$/d' "$page" | sed '1,/^```$/d' > "$scratch/rest"
+block '```' "$scratch/rest" > "$scratch/expected"
+"${CC:-cc}" -std=c99 -Wall -Wextra -Werror "${@/#/-I}" "$scratch/program.c" "$library" \
+  -Wl,-rpath,"$(dirname "$library")" -o "$scratch/program"
+"$scratch/program" | diff - "$scratch/expected"
+[ -s "$scratch/expected" ]

@@ -83,6 +83,8 @@ static void regions(void) {
   gcv_polygon *small = POLYGON(0, 0, 2, 0, 2, 2, 0, 2), *large = POLYGON(0, 0, 4, 0, 4, 2, 0, 2);
   gcv_region *region = NULL, *empty = NULL;
   gcv_region_part *parts = NULL;
+  gcv_edge_source *sources = NULL;
+  uint64_t *indices = NULL;
   double *xy = NULL;
   char *text = NULL;
   size_t count = 0;
@@ -94,6 +96,18 @@ static void regions(void) {
   CHECK_ALLOCATED(gcvx_region_vertices(region, &xy, &count));
   CHECK(same_ring(xy, count, RING(0, 0, 2, 0)));
   free(xy);
+  CHECK_ALLOCATED(gcvx_region_exact_parts(region, &parts, &count));
+  CHECK(count == 1 && parts[0].kind == GCV_PART_SEGMENT && parts[0].vertex_count == 2);
+  free(parts);
+  CHECK_ALLOCATED(gcvx_region_edge_sources(region, &sources, &count));
+  CHECK(count == 2 && sources[0].kind != 0 && sources[1].kind == 0);
+  free(sources);
+  CHECK_ALLOCATED(gcvx_region_exact_indices(region, &indices, &count));
+  CHECK(count == 2 && indices[0] == 0 && indices[1] == 1);
+  free(indices);
+  CHECK_ALLOCATED(gcvx_region_exact_vertex(region, 1, &text));
+  CHECK(strcmp(text, "2/1 0/1") == 0);
+  free(text);
   CHECK_ALLOCATED(gcvx_region_wkt(region, &text));
   CHECK(strcmp(text, "MULTIPOLYGON EMPTY") == 0);
   free(text);

@@ -157,6 +157,42 @@ GCV_NODISCARD static inline gcv_status gcvx_region_vertices(const gcv_region *re
                  gcv_region_vertices(region, buffer, capacity, &required), xy, count);
 }
 
+/** gcv_region_exact_parts into memory of its own; as gcvx_region_parts. */
+GCV_NODISCARD static inline gcv_status gcvx_region_exact_parts(const gcv_region *region,
+                                                               gcv_region_part **parts,
+                                                               size_t *count) {
+  GCVX_ALLOCATED(gcv_region_part, sizeof(gcv_region_part),
+                 gcv_region_exact_parts(region, buffer, capacity, &required), parts, count);
+}
+
+/**
+ * gcv_region_edge_sources into memory of its own; as gcvx_region_parts.
+ *
+ * @param count  the number of vertices of all exact parts.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_region_edge_sources(const gcv_region *region,
+                                                                gcv_edge_source **sources,
+                                                                size_t *count) {
+  GCVX_ALLOCATED(gcv_edge_source, sizeof(gcv_edge_source),
+                 gcv_region_edge_sources(region, buffer, capacity, &required), sources, count);
+}
+
+/** gcv_region_exact_indices into memory of its own; as gcvx_region_vertices. */
+GCV_NODISCARD static inline gcv_status gcvx_region_exact_indices(const gcv_region *region,
+                                                                 uint64_t **indices,
+                                                                 size_t *count) {
+  GCVX_ALLOCATED(uint64_t, sizeof(uint64_t),
+                 gcv_region_exact_indices(region, buffer, capacity, &required), indices, count);
+}
+
+/** gcv_region_exact_vertex into memory of its own, or GCVX_ERR_SYSTEM without memory. */
+GCV_NODISCARD static inline gcv_status gcvx_region_exact_vertex(const gcv_region *region,
+                                                                size_t index, char **text) {
+  size_t size = 0;
+  GCVX_ALLOCATED(char, 1, gcv_region_exact_vertex(region, index, buffer, capacity, &required), text,
+                 &size);
+}
+
 /** gcv_region_wkt into memory of its own, or GCVX_ERR_SYSTEM without memory. */
 GCV_NODISCARD static inline gcv_status gcvx_region_wkt(const gcv_region *region, char **text) {
   size_t size = 0;
