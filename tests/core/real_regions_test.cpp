@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -114,6 +115,57 @@ TEST_F(RealRegions, AgreeWithTheReferences) {
   }
   std::printf("%zu real pairs, %zu holes\n", compared, holes);
   EXPECT_GE(compared, 10U);
+}
+
+std::size_t vertex_count(const test::PolygonRings& rings) {
+  return std::accumulate(
+      rings.begin(), rings.end(), std::size_t{0},
+      [](std::size_t count, const PointVector& ring) { return count + ring.size(); });
+}
+
+// Polygons with holes and a few without: sums, no-fit regions, and inner fits. In one of them a
+// hole touches the outer ring four times, so that its inside falls apart.
+TEST_F(RealRegions, OfPolygonsWithHolesAgreeWithTheReferences) {
+  std::vector<test::PolygonRings> polygons;
+  for (int k = 1; k <= 12; ++k) {
+    const auto file = directory_ / "cgal" / ("pwh" + std::to_string(k) + ".wkt");
+    if (std::filesystem::exists(file)) {
+      polygons.push_back(test::read_rings(file));
+    }
+  }
+  for (const char* name : {"hole1", "hole2"}) {
+    polygons.push_back(test::read_rings(directory_ / "acd2d" / (std::string(name) + ".wkt")));
+  }
+  std::size_t compared = 0;
+  std::size_t holes = 0;
+  std::size_t fits = 0;
+  const auto compare = [&](const ExactRegion& region, const std::string& text,
+                           const reference::RegionRings& rings) {
+    EXPECT_EQ(test::text_of(region), text);
+    EXPECT_EQ(test::ring_texts(region), rings);
+    ++compared;
+    holes += test::hole_count(region);
+    fits += region.parts.size() - test::ring_texts(region).size();
+  };
+  for (const test::PolygonRings& a : polygons) {
+    for (const test::PolygonRings& b : polygons) {
+      if (vertex_count(a) * vertex_count(b) > 300) {
+        continue;
+      }
+      SCOPED_TRACE(compared);
+      for (const test::PolygonRings& moving : {b, test::negated_rings(b)}) {
+        compare(test::sum_region(a, moving).exact,
+                reference::text(reference::sum_region(a, moving, {0, 0})),
+                reference::rings_of_sum(a, moving, {0, 0}));
+      }
+      compare(test::fit_region(a, b).exact,
+              reference::text(reference::inner_fit_region(a, b, {0, 0})),
+              reference::rings_of_inner_fit(a, b, {0, 0}));
+    }
+  }
+  std::printf("%zu polygons, %zu regions, %zu holes, %zu fits\n", polygons.size(), compared, holes,
+              fits);
+  EXPECT_EQ(polygons.size(), 11U);
 }
 
 // ---- Jigsaws

@@ -20,11 +20,13 @@ std::optional<std::filesystem::path> data_directory() {
   return directory;
 }
 
-PointVector read_polygon(const std::filesystem::path& file) {
+std::vector<PointVector> read_rings(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_polygon(text, file.c_str()).front();
+  return parse_polygon(text, file.c_str());
 }
+
+PointVector read_polygon(const std::filesystem::path& file) { return read_rings(file).front(); }
 
 std::vector<NamedPair> read_pairs(const std::filesystem::path& directory) {
   std::vector<NamedPair> pairs;

@@ -22,6 +22,9 @@ struct NamedPair {
 // Where the data is, if it is there.
 std::optional<std::filesystem::path> data_directory();
 
+// All rings of a polygon, the outer one first.
+std::vector<PointVector> read_rings(const std::filesystem::path& file);
+// The outer one.
 PointVector read_polygon(const std::filesystem::path& file);
 
 // The pairs of the folder's pairs.txt.
