@@ -18,6 +18,7 @@ namespace gcv::invariants {
 struct Destroy {
   void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
   void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
+  void operator()(gcv_region* region) const { gcv_region_destroy(region); }
 };
 
 using PolygonHandle = std::unique_ptr<gcv_polygon, Destroy>;

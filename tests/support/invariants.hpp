@@ -28,6 +28,13 @@ struct Effort {
 std::vector<std::string> broken_invariants(const Polygon& a, const Polygon& b,
                                            const Effort& effort = {});
 
+// The same for the region of a + b, with its holes and exact fits; and for the inner fit of one
+// polygon in another.
+std::vector<std::string> broken_region_invariants(const Polygon& a, const Polygon& b,
+                                                  const Effort& effort = {});
+std::vector<std::string> broken_fit_invariants(const Polygon& container, const Polygon& moving,
+                                               const Effort& effort = {});
+
 // A sentence for each promise that the polygons simplified by the tolerance, in both
 // roundings, do not keep; and the same for the sum a + b with that tolerance.
 std::vector<std::string> broken_simplification(const Polygon& polygon, double tolerance,
