@@ -21,12 +21,13 @@ Json read_json(const std::filesystem::path& file) {
   return json;
 }
 
+double number(const Json& json) { return std::stod(json.get_value<std::string>()); }
+
 // From [[x, y], ...].
 PointVector points(const Json& json) {
   PointVector result;
   for (const auto& [name, point] : json) {
-    result.push_back(
-        {point.front().second.get_value<double>(), point.back().second.get_value<double>()});
+    result.push_back({number(point.front().second), number(point.back().second)});
   }
   return result;
 }
@@ -38,13 +39,13 @@ PointVector ring_of(const Json& piece) {
 
 // From [fixed, moving, ring], with ids such as polygon12.
 StoredRing stored_ring(const Json& json) {
-  const auto number = [](const Json& id) {
+  const auto index = [](const Json& id) {
     return std::stoul(id.get_value<std::string>().substr(std::string("polygon").size()));
   };
   auto element = json.begin();
-  StoredRing stored{number(element->second), 0, {}};
+  StoredRing stored{index(element->second), 0, {}};
   ++element;
-  stored.moving = number(element->second);
+  stored.moving = index(element->second);
   ++element;
   stored.ring = points(element->second);
   return stored;
@@ -104,8 +105,8 @@ std::vector<Jigsaw> read_jigsaws(const std::filesystem::path& directory) {
   std::vector<Jigsaw> jigsaws;
   for (const auto& file : json_files(directory, true)) {
     for (const auto& [name, instance] : read_json(file)) {
-      const auto width = instance.get<double>("width");
-      const auto height = instance.get<double>("height");
+      const double width = number(instance.get_child("width"));
+      const double height = number(instance.get_child("height"));
       for (const auto& [unnamed, bin] : instance.get_child("bins")) {
         Jigsaw jigsaw{name + " " + std::to_string(jigsaws.size()), width, height, {}};
         for (const auto& [none, piece] : bin) {
