@@ -98,27 +98,38 @@ Box ExactOrder::box_of_edge(const Placed& p, const Placed& q) {
   return {-next_up(-box.x0), -next_up(-box.y0), next_up(box.x1), next_up(box.y1)};
 }
 
-bool ExactOrder::is_before(const std::vector<RingVertex>& p,
-                           const std::vector<RingVertex>& q) const {
-  for (std::size_t k = 0; k < std::min(p.size(), q.size()); ++k) {
-    if (const int order = compare(p[k], q[k]); order != 0) {
-      return order < 0;
+void ExactOrder::sort(std::vector<std::vector<RingVertex>>& rings) const {
+  struct Entry {
+    Placed first;
+    std::vector<RingVertex> ring;
+  };
+  std::vector<Entry> entries;
+  entries.reserve(rings.size());
+  for (std::vector<RingVertex>& ring : rings) {
+    std::size_t smallest = 0;
+    Placed best = placed(ring.front());
+    for (std::size_t k = 1; k < ring.size(); ++k) {
+      const Placed other = placed(ring[k]);
+      if (compare(other, best) < 0) {
+        smallest = k;
+        best = other;
+      }
     }
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(smallest), ring.end());
+    entries.push_back({best, std::move(ring)});
   }
-  return p.size() < q.size();
-}
-
-void ExactOrder::begin_with_smallest(std::vector<RingVertex>& ring) const {
-  std::size_t smallest = 0;
-  Placed best = placed(ring.front());
-  for (std::size_t k = 1; k < ring.size(); ++k) {
-    const Placed other = placed(ring[k]);
-    if (compare(other, best) < 0) {
-      smallest = k;
-      best = other;
+  const auto is_before = [&](const Entry& p, const Entry& q) {
+    int order = compare(p.first, q.first);
+    const std::size_t size = std::min(p.ring.size(), q.ring.size());
+    for (std::size_t k = 1; order == 0 && k < size; ++k) {
+      order = compare(p.ring[k], q.ring[k]);
     }
+    return order != 0 ? order < 0 : p.ring.size() < q.ring.size();
+  };
+  std::sort(entries.begin(), entries.end(), is_before);
+  for (std::size_t k = 0; k < rings.size(); ++k) {
+    rings[k] = std::move(entries[k].ring);
   }
-  std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(smallest), ring.end());
 }
 
 }  // namespace gcv

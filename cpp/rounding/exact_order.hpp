@@ -36,12 +36,8 @@ class ExactOrder {
   // A box that holds the edge from p to q.
   [[nodiscard]] static Box box_of_edge(const Placed& p, const Placed& q);
 
-  // Do the vertices of the first ring come before those of the second?
-  [[nodiscard]] bool is_before(const std::vector<RingVertex>& p,
-                               const std::vector<RingVertex>& q) const;
-
-  // Rotates the ring.
-  void begin_with_smallest(std::vector<RingVertex>& ring) const;
+  // Lets each ring begin with its smallest vertex, and sorts the rings by their vertices.
+  void sort(std::vector<std::vector<RingVertex>>& rings) const;
 
  private:
   const Boundary& a_;

@@ -18,7 +18,6 @@
 
 #include "contributing_vertices.hpp"
 #include "place.hpp"
-#include "witness.hpp"
 
 namespace gcv {
 

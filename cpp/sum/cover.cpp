@@ -108,6 +108,9 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
   if (t == 1) {
     return std::nullopt;
   }
+  if (t == from) {
+    return start;
+  }
   std::optional<Place> furthest;
   for (const WitnessSearch::Pair& pair : search_.pairs_near(t, t)) {
     const std::optional<Sides> sides = sides_of(pair);
@@ -139,6 +142,46 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
   return places.compare(*furthest, places.end()) > 0 ? std::nullopt : furthest;
 }
 
+std::optional<Place> EdgeCover::skip_between(const PlacesOnLine& places, const RelativeLine& line,
+                                             const Place& from, const Place& to) {
+  if (places.compare(to, places.end()) > 0) {
+    return std::nullopt;
+  }
+  const double first = parameter_of(line, from);
+  const double last = parameter_of(line, to);
+  const double middle = first + (last - first) / 2;
+  const bool is_certain =
+      (from.is_sum || from.parameter.hi < middle) && !to.is_sum && to.parameter.lo > middle;
+  return is_certain && first < middle ? skip(places, line, middle, to) : to;
+}
+
+// It goes on along an edge f, with the open sum on its left: there lie the parallelograms of its
+// edge and both edges at its vertex. One of them holds what follows on s, as a rule.
+std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const RelativeLine& line,
+                                           const Place& place) {
+  if (place.is_sum) {
+    return place.sum == places.end().sum ? std::nullopt : std::optional(place);
+  }
+  const PairEdge& f = place.crossing;
+  const bool is_translated = f.kind == PairEdge::translated;
+  const WitnessSearch::Pair before = is_translated
+                                         ? WitnessSearch::Pair{f.i, operands_.b.previous(f.j)}
+                                         : WitnessSearch::Pair{operands_.a.previous(f.i), f.j};
+  for (const WitnessSearch::Pair& pair : {WitnessSearch::Pair{f.i, f.j}, before}) {
+    const std::optional<Sides> sides = sides_of(pair);
+    const auto holds = [&](const Side& side) {
+      const PairEdge& edge = side.line.edge;
+      const bool is_f = edge.kind == f.kind && edge.i == f.i && edge.j == f.j;
+      const int here = is_f ? 0 : places.side_of(side.line, place);
+      return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
+    };
+    if (sides && std::all_of(std::begin(sides->side), std::end(sides->side), holds)) {
+      return skip_between(places, line, place, exit_of(places, *sides));
+    }
+  }
+  return place;
+}
+
 const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const RelativeLine& line,
                                           const std::vector<Run>& runs, const Place& place) const {
   if (runs.empty()) {
@@ -146,8 +189,8 @@ const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const Rela
   }
   const Interval here = parameters_of(line, place);
   const auto run = std::find_if(runs.begin(), runs.end(), [&](const Run& r) {
-    const Interval from = parameters_of(line, r.from);
-    return !(from.lo > here.hi) && !(from.hi < here.lo) && places.compare(place, r.from) == 0;
+    return !(r.parameter.lo > here.hi) && !(r.parameter.hi < here.lo) &&
+           places.compare(place, r.from) == 0;
   });
   return run == runs.end() ? nullptr : &*run;
 }
@@ -262,15 +305,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
   if (!furthest) {
     throw Error(Status::internal, "no witness covers what follows a covered place");
   }
-  if (places.compare(*furthest, places.end()) > 0) {
-    return std::nullopt;
-  }
-  const double from = parameter_of(line, place);
-  const double to = parameter_of(line, *furthest);
-  const double middle = from + (to - from) / 2;
-  const bool is_certain = (place.is_sum || place.parameter.hi < middle) && !furthest->is_sum &&
-                          furthest->parameter.lo > middle;
-  return is_certain && from < middle ? skip(places, line, middle, *furthest) : furthest;
+  return skip_between(places, line, place, *furthest);
 }
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,

@@ -23,7 +23,7 @@
 #include "contributing_vertices.hpp"
 #include "places_on_line.hpp"
 #include "walked_lines.hpp"
-#include "witness.hpp"
+#include "witness_search.hpp"
 
 namespace gcv {
 
@@ -42,6 +42,7 @@ class EdgeCover {
   struct Run {
     Place from;
     Place to;
+    Interval parameter{};  // of `from`
   };
 
   EdgeCover(const Operands& operands, Solids solids, Tally& tally)
@@ -68,7 +69,10 @@ class EdgeCover {
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
     search_.begin(line);
     std::optional<Place> segment;  // where one has begun
-    const std::vector<Run> runs = visitor.known_runs(places);
+    std::vector<Run> runs = visitor.known_runs(places);
+    for (Run& run : runs) {
+      run.parameter = parameters_of(line, run.from);
+    }
     std::optional<Place> place = places.start();
     if (find_run(places, line, runs, *place) == nullptr) {
       place = skip(places, line, 0, *place);
@@ -79,10 +83,7 @@ class EdgeCover {
           visitor.segment(places, *segment, *place);
           segment.reset();
         }
-        place = run->to;
-        if (place->is_sum && place->sum == places.end().sum) {
-          return;
-        }
+        place = leave_ring(places, line, run->to);
         continue;
       }
       Surroundings surroundings = look(places, line, *place);
@@ -103,7 +104,7 @@ class EdgeCover {
         return;
       }
       if (is_ring) {
-        place = visitor.ring(places, *place);
+        place = leave_ring(places, line, visitor.ring(places, *place));
       } else if (leads_on) {
         if (!segment) {
           segment = place;
@@ -148,6 +149,13 @@ class EdgeCover {
   }
 
  private:
+  // A ring has left s in the place, as a rule into what is covered. Then nothing, or a place beyond
+  // that, as skip() has it. Else the place itself.
+  std::optional<Place> leave_ring(const PlacesOnLine& places, const RelativeLine& line,
+                                  const Place& place);
+  // What lies between two places is covered. Nothing, or a place beyond, as skip() has it.
+  std::optional<Place> skip_between(const PlacesOnLine& places, const RelativeLine& line,
+                                    const Place& from, const Place& to);
   // The run that begins in the place, or nullptr.
   [[nodiscard]] const Run* find_run(const PlacesOnLine& places, const RelativeLine& line,
                                     const std::vector<Run>& runs, const Place& place) const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "exact_region.hpp"
 
-#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -164,11 +163,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
     finder.rings().clear();
   }
   const ExactOrder order(operands.a, operands.b, {0, 0}, tally);
-  for (std::vector<RingVertex>& hole : finder.rings()) {
-    order.begin_with_smallest(hole);
-  }
-  std::sort(finder.rings().begin(), finder.rings().end(),
-            [&](const auto& p, const auto& q) { return order.is_before(p, q); });
+  order.sort(finder.rings());
   for (const std::vector<RingVertex>& hole : finder.rings()) {
     add_part(region, PartKind::hole, 0, hole);
   }

@@ -188,26 +188,24 @@ std::vector<FreePolygon> free_polygons(const Operands& operands, std::vector<Rin
     }
     rings = std::move(simple);
   }
+  for (Ring& ring : rings) {
+    ring = turned_round(ring);
+  }
+  order.sort(rings);
   std::vector<FreePolygon> polygons;
   std::vector<Ring> holes;
-  for (const Ring& ring : rings) {
-    Ring turned = turned_round(ring);
-    order.begin_with_smallest(turned);
+  for (Ring& ring : rings) {
     // Walked rings turn to the right in their smallest vertex round a face, to the left round an
     // island. Names are of walked edges: `leaving` arrives here.
-    const RingVertex& first = turned.front();
+    const RingVertex& first = ring.front();
     const Rank angle = operands.directions.angle(operands.named(first.leaving()).rank,
                                                  operands.named(first.arriving()).rank);
     if (angle > operands.directions.half_turn) {
-      polygons.push_back({std::move(turned), {}});
+      polygons.push_back({std::move(ring), {}});
     } else {
-      holes.push_back(std::move(turned));
+      holes.push_back(std::move(ring));
     }
   }
-  const auto is_before = [&](const Ring& p, const Ring& q) { return order.is_before(p, q); };
-  std::sort(polygons.begin(), polygons.end(),
-            [&](const auto& p, const auto& q) { return is_before(p.outer, q.outer); });
-  std::sort(holes.begin(), holes.end(), is_before);
   for (Ring& hole : holes) {
     // Of the polygons that it lies in, the innermost begins last.
     const auto holds = [&](const FreePolygon& polygon) {

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A grid over the sum, and cells of it that lie in the open sum int A + int B: parts of the sum of
+// a cell inside A and a cell inside B, and cells inside witnesses. Together they cover lines and
+// boxes that no witness covers alone.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "box.hpp"
+#include "contributing_vertices.hpp"
+#include "witness.hpp"
+
+namespace gcv {
+
+class CoveredCells {
+ public:
+  // `slack`: how far points in relative coordinates may be off. O(n + m) and what the grid takes.
+  CoveredCells(const Operands& operands, double slack);
+
+  // Adds the cells that lie in a witness.
+  void add(const Witness& witness);
+
+  // Do covered cells hold the box?
+  [[nodiscard]] bool hold(const Box& box) const;
+
+  // How far covered cells hold the line from t on: a parameter up to 1, at least t. Stops where it
+  // enters the first column, or row, in which they do not.
+  [[nodiscard]] double reach(const RelativeLine& line, double t) const;
+
+ private:
+  using Word = std::uint64_t;
+  static constexpr std::uint32_t word_size = 64;
+
+  // The cell that holds a coordinate in cells, or the nearest one.
+  [[nodiscard]] std::uint32_t cell(double place) const {
+    return place > 0 ? static_cast<std::uint32_t>(place < last_ ? place : last_) : 0;
+  }
+  // In column x of row y.
+  [[nodiscard]] bool is_set(std::uint32_t x, std::uint32_t y) const {
+    return (bits_[y * words_ + x / word_size] >> (x % word_size) & 1U) != 0;
+  }
+
+  std::uint32_t side_;
+  std::uint32_t words_;  // of a row
+  double last_;          // the number of the last cell
+  double margin_;
+  Point origin_{};
+  Point size_{};  // of a cell
+  Point cells_a_unit_{};
+  std::vector<Word> bits_;  // none if no cell is certain
+};
+
+}  // namespace gcv

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "witness_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "box.hpp"
+#include "tree_product.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The least progress along a line that a witness is taken for.
+constexpr double least_progress = 0x1p-20;
+
+// For heaps with the first in front.
+constexpr auto comes_later = [](const auto& p, const auto& q) { return p.first() > q.first(); };
+
+}  // namespace
+
+WitnessSearch::WitnessSearch(const Operands& operands)
+    : operands_(operands),
+      a_(operands.a.cover_index().chords),
+      b_(operands.b.cover_index().chords),
+      slack_(slack_of(operands)),
+      cells_(operands, slack_) {
+  const double extents = 0x1p48 * slack_;
+  if (!(extents * extents <= std::numeric_limits<double>::max())) {
+    slack_ = std::numeric_limits<double>::infinity();  // nothing is certain in doubles
+  }
+}
+
+WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
+  const bool of_a = a_.extent(nodes.a) >= b_.extent(nodes.b);
+  const std::uint32_t number = of_a ? a_.below(nodes.a) : b_.below(nodes.b);
+  return of_a ? Family{a_.blocks[number], number, b_.block_of(nodes.b), nodes.b, true}
+              : Family{b_.blocks[number], number, a_.block_of(nodes.a), nodes.a, false};
+}
+
+// A point x of the line has the parameter t. Its coordinates in the parallelogram u + v, w x v and
+// u x w, are linear in t. So are its own. That gives a range of parameters for each of the bounds.
+// A bound is crossed at a parameter that is computed with three roundings. For parameters up to 2
+// they are worth less than 16 uE (|u| + |v|) in the bound. With what a witness allows for the
+// others, twice the slack is enough. Comparisons with what is not a number are false. So such a
+// range is near, and covers nothing.
+WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
+  if (!(slack_ < std::numeric_limits<double>::infinity())) {
+    return {{-2, -2, -2, -2}, {2, 2, 2, 2}, {2, 2, 2, 2}, {-2, -2, -2, -2}};
+  }
+  const ChordTree::Block& chords = family.children;
+  const std::uint32_t lane = ChordTree::lane_of(family.other);
+  const ChordTree::Block& of_other = family.of_other;
+  const Box other = of_other.boxes.box(lane);
+  const double dx = line_.dx;
+  const double dy = line_.dy;
+  const Point from{of_other.x0[lane], of_other.y0[lane]};
+  const Point v{of_other.x1[lane] - from.x, of_other.y1[lane] - from.y};
+  const double other_radius = of_other.radius[lane];
+  const double other_length = of_other.length[lane];
+  const double slack = 2 * slack_;
+  constexpr double smallest = std::numeric_limits<double>::min();
+
+  const SimdDouble x0 = SimdDouble::load(chords.x0);
+  const SimdDouble y0 = SimdDouble::load(chords.y0);
+  const SimdDouble ux = SimdDouble::load(chords.x1) - x0;
+  const SimdDouble uy = SimdDouble::load(chords.y1) - y0;
+  const SimdDouble length = SimdDouble::load(chords.length);
+  const SimdDouble radius = SimdDouble::load(chords.radius);
+  const SimdDouble wx = (line_.origin.x - from.x) - x0;
+  const SimdDouble wy = (line_.origin.y - from.y) - y0;
+  const SimdDouble along_u = v.y * wx - v.x * wy;
+  const SimdDouble along_v = ux * wy - uy * wx;
+  const SimdDouble inverse_u = SimdDouble::of(1 / (dx * v.y - dy * v.x));
+  const SimdDouble inverse_v = 1 / (dy * ux - dx * uy);
+  const SimdDouble cross = v.y * ux - v.x * uy;
+  const SimdDouble lowest = smaller(cross, SimdDouble::of(0));
+  const SimdDouble highest = larger(cross, SimdDouble::of(0));
+  const SimdDouble size = magnitude(ux) + magnitude(uy) + (std::abs(v.x) + std::abs(v.y));
+  const SimdDouble radii = radius + other_radius;
+  const SimdDouble tolerance = slack * size + smallest;
+  const SimdDouble room = slack * (size + 4 * radii) + smallest;
+  const SimdDouble room_u = other_length * radii + room;
+  const SimdDouble room_v = length * radii + room;
+  const SimdDouble least_u = tolerance + other_radius * other_length;
+  const SimdDouble least_v = radius * length + tolerance;
+
+  // Takes what lies between two parameters.
+  const auto cut = [](SimdDouble& first, SimdDouble& last, const SimdDouble& s,
+                      const SimdDouble& t) {
+    first = larger(smaller(s, t), first);
+    last = smaller(larger(s, t), last);
+  };
+  SimdDouble near_from = SimdDouble::of(-2);
+  SimdDouble near_to = SimdDouble::of(2);
+  cut(near_from, near_to, (lowest - room_u - along_u) * inverse_u,
+      (highest + room_u - along_u) * inverse_u);
+  cut(near_from, near_to, (lowest - room_v - along_v) * inverse_v,
+      (highest + room_v - along_v) * inverse_v);
+  const double inverse_x = 1 / dx;
+  const double inverse_y = 1 / dy;
+  cut(near_from, near_to,
+      inverse_x * (SimdDouble::load(chords.boxes.x0) + (other.x0 - slack - line_.origin.x)),
+      inverse_x * (SimdDouble::load(chords.boxes.x1) + (other.x1 + slack - line_.origin.x)));
+  cut(near_from, near_to,
+      inverse_y * (SimdDouble::load(chords.boxes.y0) + (other.y0 - slack - line_.origin.y)),
+      inverse_y * (SimdDouble::load(chords.boxes.y1) + (other.y1 + slack - line_.origin.y)));
+  SimdDouble covered_from = SimdDouble::of(-2);
+  SimdDouble covered_to = SimdDouble::of(2);
+  cut(covered_from, covered_to, (lowest + least_u - along_u) * inverse_u,
+      (highest - least_u - along_u) * inverse_u);
+  cut(covered_from, covered_to, (lowest + least_v - along_v) * inverse_v,
+      (highest - least_v - along_v) * inverse_v);
+  const SimdDouble nothing = SimdDouble::of(std::numeric_limits<double>::infinity());
+  Ranges result;
+  near_from.store(result.near_from);
+  near_to.store(result.near_to);
+  // Where bounds are not in order, nothing is covered.
+  select(lowest + least_u < highest - least_u, covered_from, nothing).store(result.covered_from);
+  select(lowest + least_v < highest - least_v, covered_to, SimdDouble::of(-2))
+      .store(result.covered_to);
+  return result;
+}
+
+void WitnessSearch::begin(const RelativeLine& line) {
+  line_ = line;
+  queue_.assign(1, Waiting{{-2, 2}, roots});
+  next_ = 0;
+  waiting_.clear();
+  covers_.clear();
+  near_pairs_.clear();
+}
+
+double WitnessSearch::met_reach(double t, double least) {
+  double end = t;
+  while (!covers_.empty() && covers_.front().covered.from <= t) {
+    const Cover cover = covers_.front();
+    std::pop_heap(covers_.begin(), covers_.end(), comes_later);
+    covers_.pop_back();
+    if (cover.covered.to >= least && cover.covered.to > end) {
+      end = std::min(cover.covered.to, 1.0);
+      cells_.add(witness(cover.nodes));
+    }
+  }
+  return end;
+}
+
+void WitnessSearch::activate(double to) {
+  while (!waiting_.empty() && waiting_.front().near.from <= to) {
+    queue_.push_back(waiting_.front());
+    std::pop_heap(waiting_.begin(), waiting_.end(), comes_later);
+    waiting_.pop_back();
+  }
+}
+
+void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
+  const Family children = family(nodes);
+  const Ranges all = ranges(children);
+  const bool other_is_edge = children.of_other.extent[ChordTree::lane_of(children.other)] < 0;
+  for_each_lane(children.children.lanes, [&](std::uint32_t lane) {
+    const Range near{all.near_from[lane], all.near_to[lane]};
+    if (near.from > near.to || near.to < from || near.from > 1) {
+      return;
+    }
+    const Nodes child = children.nodes(lane);
+    const Range covered{all.covered_from[lane], all.covered_to[lane]};
+    if (covered.from < covered.to && covered.to > from && covered.from < 1) {
+      covers_.push_back({covered, child});
+      std::push_heap(covers_.begin(), covers_.end(), comes_later);
+    }
+    if (other_is_edge && children.children.extent[lane] < 0) {
+      near_pairs_.push_back({near, {a_.below(child.a), b_.below(child.b)}});
+    } else if (near.from > to) {
+      waiting_.push_back({near, child});
+      std::push_heap(waiting_.begin(), waiting_.end(), comes_later);
+    } else {
+      queue_.push_back({near, child});
+    }
+  });
+}
+
+double WitnessSearch::reach(double t) {
+  while (t < 1) {
+    const double least = std::min(1.0, t + least_progress);
+    double end = cells_.reach(line_, t);
+    if (end < least) {
+      end = met_reach(t, least);
+    }
+    if (end > t) {
+      t = end;
+      continue;
+    }
+    activate(t);
+    while (next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t)) {
+      const Waiting waiting = queue_[next_++];
+      if (!(waiting.near.to < t)) {
+        expand(waiting.nodes, t, t);
+      }
+    }
+    if (next_ == queue_.size()) {
+      queue_.clear();
+      next_ = 0;
+      if (covers_.empty() || covers_.front().covered.from > t) {
+        break;
+      }
+    }
+  }
+  return t;
+}
+
+const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, double to) {
+  activate(to);
+  for (; next_ < queue_.size(); ++next_) {
+    const Waiting waiting = queue_[next_];
+    if (!(waiting.near.to < from)) {
+      expand(waiting.nodes, from, to);
+    }
+  }
+  queue_.clear();
+  next_ = 0;
+  near_pairs_.erase(std::remove_if(near_pairs_.begin(), near_pairs_.end(),
+                                   [&](const NearPair& p) { return p.near.to < from; }),
+                    near_pairs_.end());
+  pairs_.clear();
+  for (const NearPair& near_pair : near_pairs_) {
+    if (!(near_pair.near.from > to)) {
+      pairs_.push_back(near_pair.pair);
+    }
+  }
+  return pairs_;
+}
+
+bool WitnessSearch::is_covered(const Nodes& nodes) const {
+  const Box a = a_.block_of(nodes.a).boxes.box(ChordTree::lane_of(nodes.a));
+  const Box b = b_.block_of(nodes.b).boxes.box(ChordTree::lane_of(nodes.b));
+  const Box box{a.x0 + b.x0, a.y0 + b.y0, a.x1 + b.x1, a.y1 + b.y1};
+  return cells_.hold(box);
+}
+
+// Sector numbers grow with ranks, so a rank in the range lies in one of them.
+WitnessSearch::Sectors WitnessSearch::sectors(Rank first, Rank last) const {
+  constexpr std::uint64_t most = 64;
+  const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
+  const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
+  const Sectors from_first = ~Sectors{0} << sector(first);
+  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
+  return first <= last ? from_first & to_last : from_first | to_last;
+}
+
+std::vector<WitnessSearch::NodeSectors> WitnessSearch::node_sectors(const ChordTree& tree,
+                                                                    const Boundary& polygon,
+                                                                    const Ranks& ranks) const {
+  std::vector<NodeSectors> result(tree.blocks.size() * ChordTree::width);
+  for (std::size_t k = result.size(); k-- > 0;) {
+    const auto node = static_cast<ChordTree::Node>(k);
+    const Box box = tree.block_of(node).boxes.box(ChordTree::lane_of(node));
+    if (box.x0 > box.x1) {
+      continue;  // missing
+    }
+    const std::uint32_t below = tree.below(node);
+    if (tree.is_edge(node)) {
+      result[node] = {sectors(ranks[below], ranks[below]),
+                      polygon.corners[below].convex
+                          ? sectors(ranks[polygon.previous(below)], ranks[below])
+                          : 0};
+      continue;
+    }
+    for (std::uint32_t lane = 0; lane < ChordTree::width; ++lane) {
+      const NodeSectors& child = result[ChordTree::node(below, lane)];
+      result[node].edges |= child.edges;
+      result[node].cones |= child.cones;
+    }
+  }
+  return result;
+}
+
+}  // namespace gcv

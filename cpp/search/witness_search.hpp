@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "chord_tree.hpp"
+#include "contributing_vertices.hpp"
+#include "covered_cells.hpp"
+#include "witness.hpp"
+
+namespace gcv {
+
+// Searches both polygons' trees for witnesses of a superset edge, and for the pairs of edges near a
+// place on it. Goes along the edge, from its start. What is ahead waits until it is reached: the
+// sums of pairs of nodes, and witnesses that were met early.
+class WitnessSearch {
+ public:
+  explicit WitnessSearch(const Operands& operands);
+
+  // Sets out along a line, from its start.
+  void begin(const RelativeLine& line);
+
+  // How far from t on the line lies in the open sum: a parameter up to 1, itself in the open sum.
+  // t itself if no witness holds it, or none much more. t never goes back.
+  double reach(double t);
+
+  struct Pair {
+    Index i;
+    Index j;
+  };
+  // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a
+  // parameter from `from` to `to`. These never go back.
+  const std::vector<Pair>& pairs_near(double from, double to);
+  // The last of these.
+  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+
+  // Calls visit(edge) for the superset edges, before merging, whose direction is in the half-plane
+  // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
+  // those that lie in witnesses that were found until then.
+  template <class Visit>
+  void for_each_uncovered_edge(Rank first, Visit visit);
+
+  [[nodiscard]] double slack() const { return slack_; }
+
+ private:
+  struct Nodes {
+    ChordTree::Node a;
+    ChordTree::Node b;
+  };
+  static constexpr Nodes roots{ChordTree::root, ChordTree::root};
+
+  // The parameters of a line from one to another.
+  struct Range {
+    double from;
+    double to;
+  };
+
+  // The children of the larger node, beside the other one.
+  struct Family {
+    const ChordTree::Block& children;
+    std::uint32_t number;  // of the block
+    const ChordTree::Block& of_other;
+    ChordTree::Node other;
+    bool is_of_a;
+
+    [[nodiscard]] Nodes nodes(std::uint32_t lane) const {
+      const ChordTree::Node child = ChordTree::node(number, lane);
+      return is_of_a ? Nodes{child, other} : Nodes{other, child};
+    }
+  };
+  [[nodiscard]] Family family(const Nodes& nodes) const;
+
+  // Where the line is near the sums of the children with the other node, and what these cover of
+  // it.
+  struct Ranges {
+    double near_from[ChordTree::width];
+    double near_to[ChordTree::width];
+    double covered_from[ChordTree::width];
+    double covered_to[ChordTree::width];
+  };
+  [[nodiscard]] Ranges ranges(const Family& family) const;
+
+  // Nodes near a part of the line.
+  struct Waiting {
+    Range near;
+    Nodes nodes;
+    [[nodiscard]] double first() const { return near.from; }
+  };
+  // What a witness covers.
+  struct Cover {
+    Range covered;
+    Nodes nodes;
+    [[nodiscard]] double first() const { return covered.from; }
+  };
+  struct NearPair {
+    Range near;
+    Pair pair;
+  };
+  // Puts the children of nodes that come near the line from `from` on where they belong: in the
+  // queue, if this is before `to`.
+  void expand(const Nodes& nodes, double from, double to);
+  // Moves the nodes that come near the line before that to the queue.
+  void activate(double to);
+
+  [[nodiscard]] bool are_edges(const Nodes& nodes) const {
+    return a_.is_edge(nodes.a) && b_.is_edge(nodes.b);
+  }
+  [[nodiscard]] Witness witness(const Nodes& nodes) const {
+    return {Chord::of(a_, nodes.a), Chord::of(b_, nodes.b), slack_};
+  }
+
+  // How far the witnesses that were met reach from t; t if none reaches `least`.
+  double met_reach(double t, double least);
+  // Do covered cells hold the sum of the nodes?
+  [[nodiscard]] bool is_covered(const Nodes& nodes) const;
+
+  // The directions of edges and cones below a node, as sets of up to 64 sectors of ranks.
+  using Sectors = std::uint64_t;
+  struct NodeSectors {
+    Sectors edges = 0;
+    Sectors cones = 0;
+  };
+  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
+  // Of the nodes of a tree.
+  [[nodiscard]] std::vector<NodeSectors> node_sectors(const ChordTree& tree,
+                                                      const Boundary& polygon,
+                                                      const Ranks& ranks) const;
+
+  const Operands& operands_;
+  const ChordTree& a_;
+  const ChordTree& b_;
+  double slack_;
+
+  RelativeLine line_{};
+  std::vector<Waiting> queue_;    // what is near the place on the line that was reached
+  std::size_t next_ = 0;          // in the queue
+  std::vector<Waiting> waiting_;  // a heap: the one that comes near first is in front
+  std::vector<Cover> covers_;     // likewise
+  std::vector<NearPair> near_pairs_;
+  std::vector<Pair> pairs_;
+
+  CoveredCells cells_;
+};
+
+template <class Visit>
+void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit) {
+  const Directions& directions = operands_.directions;
+  const Rank half = directions.half_turn;
+  const Sectors wanted = sectors(first, (first + half - 1) % (2 * half));
+  const std::vector<NodeSectors> sectors_a = node_sectors(a_, operands_.a, directions.rank_a);
+  const std::vector<NodeSectors> sectors_b = node_sectors(b_, operands_.b, directions.rank_b);
+  const auto visit_edge = [&](const PairEdge& edge, bool contributes) {
+    if (contributes && directions.angle(first, edge.rank) < half) {
+      visit(edge);
+    }
+  };
+  std::vector<Nodes> stack{roots};
+  while (!stack.empty()) {
+    const Nodes nodes = stack.back();
+    stack.pop_back();
+    if (is_covered(nodes)) {
+      continue;
+    }
+    if (are_edges(nodes)) {
+      const Index i = a_.below(nodes.a);
+      const Index j = b_.below(nodes.b);
+      const PairEdge translated = operands_.translated(i, j);
+      const PairEdge corner = operands_.corner(i, j);
+      visit_edge(translated, operands_.b_contributes(j, translated.rank));
+      visit_edge(corner, operands_.a_contributes(i, corner.rank));
+      continue;
+    }
+    const Family children = family(nodes);
+    for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {
+      const Nodes child = children.nodes(lane);
+      const NodeSectors& a = sectors_a[child.a];
+      const NodeSectors& b = sectors_b[child.b];
+      if ((((a.edges & b.cones) | (a.cones & b.edges)) & wanted) != 0) {
+        stack.push_back(child);
+      }
+    }
+  }
+}
+
+}  // namespace gcv

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "covered_cells.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <random>
+#include <utility>
+
+#include "boundary.hpp"
+#include "chord_tree.hpp"
+#include "directions.hpp"
+#include "generators.hpp"
+#include "tree_product.hpp"
+
+namespace gcv {
+namespace {
+
+using test::Random;
+using test::Ring;
+
+double turn(const Point& p, const Point& q, const Point& r) {
+  return (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+}
+
+bool cross(const Point& p, const Point& q, const Point& r, const Point& s) {
+  return turn(p, q, r) * turn(p, q, s) < 0 && turn(r, s, p) * turn(r, s, q) < 0;
+}
+
+bool is_inside(const Ring& ring, const Point& x) {
+  bool result = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point& p = ring[k];
+    const Point& q = ring[(k + 1) % ring.size()];
+    if ((p.y > x.y) != (q.y > x.y) && (turn(p, q, x) > 0) == (q.y > p.y)) {
+      result = !result;
+    }
+  }
+  return result;
+}
+
+// A pair of polygons by their vertices, relative to the first ones.
+struct Pair {
+  Boundary a;
+  Boundary b;
+  Ring ring_a;
+  Ring ring_b;
+
+  static Ring relative(const Boundary& polygon) {
+    Ring ring;
+    for (Index i = 0; i < polygon.size(); ++i) {
+      ring.push_back(polygon.relative(i));
+    }
+    return ring;
+  }
+  Pair(const Ring& p, const Ring& q)
+      : a(make_ring(p, "A")), b(make_ring(q, "B")), ring_a(relative(a)), ring_b(relative(b)) {}
+
+  // Is x, in relative coordinates, in the open sum? By the definition: A and x - B overlap.
+  [[nodiscard]] bool is_in_sum(const Point& x) const {
+    Ring turned;
+    for (const Point& p : ring_b) {
+      turned.push_back({x.x - p.x, x.y - p.y});
+    }
+    for (std::size_t i = 0; i < ring_a.size(); ++i) {
+      for (std::size_t j = 0; j < turned.size(); ++j) {
+        if (cross(ring_a[i], ring_a[(i + 1) % ring_a.size()], turned[j],
+                  turned[(j + 1) % turned.size()])) {
+          return true;
+        }
+      }
+    }
+    return is_inside(ring_a, turned.front()) || is_inside(turned, ring_a.front());
+  }
+};
+
+class Grid {
+ public:
+  explicit Grid(const Pair& pair)
+      : pair_(pair),
+        tally_{},
+        operands_{pair.a, pair.b, merge_directions(pair.a, pair.b, tally_)},
+        cells_(operands_, slack_of(operands_)) {}
+
+  void add_all_witnesses() {
+    const ChordTree& a = pair_.a.cover_index().chords;
+    const ChordTree& b = pair_.b.cover_index().chords;
+    const auto for_each_node = [](const ChordTree& tree, auto visit) {
+      for (ChordTree::Node node = 0; node < tree.blocks.size() * ChordTree::width; ++node) {
+        if ((tree.block_of(node).lanes >> ChordTree::lane_of(node) & 1U) != 0) {
+          visit(node);
+        }
+      }
+    };
+    for_each_node(a, [&](ChordTree::Node p) {
+      for_each_node(b, [&](ChordTree::Node q) {
+        cells_.add(Witness(Chord::of(a, p), Chord::of(b, q), slack_of(operands_)));
+      });
+    });
+  }
+
+  // Points of lines and boxes that covered cells are said to hold are in the open sum. Returns how
+  // much of the lines they hold.
+  double check(Random& random, int lines) const {
+    const Box box = operands_.relative_bounds();
+    const auto place = [&] {
+      return Point{box.x0 + (box.x1 - box.x0) * test::uniform(random, 0, 1000) / 1000,
+                   box.y0 + (box.y1 - box.y0) * test::uniform(random, 0, 1000) / 1000};
+    };
+    double held = 0;
+    for (int k = 0; k < lines; ++k) {
+      const Point p = place();
+      const Point q = place();
+      const RelativeLine line{p, q.x - p.x, q.y - p.y};
+      const double end = cells_.reach(line, 0);
+      held += end;
+      for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        if (end > 0) {
+          EXPECT_TRUE(pair_.is_in_sum(line.at(share * end)));
+        }
+      }
+      const Box around{p.x - 0.02 * (box.x1 - box.x0), p.y - 0.03 * (box.y1 - box.y0),
+                       p.x + 0.03 * (box.x1 - box.x0), p.y + 0.02 * (box.y1 - box.y0)};
+      if (box.x0 < around.x0 && around.x1 < box.x1 && box.y0 < around.y0 && around.y1 < box.y1 &&
+          cells_.hold(around)) {
+        for (const Point& corner : {Point{around.x0, around.y0}, Point{around.x1, around.y0},
+                                    Point{around.x0, around.y1}, Point{around.x1, around.y1}}) {
+          EXPECT_TRUE(pair_.is_in_sum(corner));
+        }
+      }
+    }
+    return held / lines;
+  }
+
+ private:
+  const Pair& pair_;
+  Tally tally_;
+  Operands operands_;
+  CoveredCells cells_;
+};
+
+TEST(CoveredCells, LieInTheOpenSum) {
+  Random random(1);
+  double by_solids = 0;
+  double with_witnesses = 0;
+  for (int k = 0; k < 12; ++k) {
+    const std::array<Ring, 3> rings = {test::random_spiky_star(random, 10 + 6 * k),
+                                       test::random_histogram(random, 5 + k, 40),
+                                       test::random_small_integer_polygon(random, 8 + k, 12)};
+    for (const Ring& p : rings) {
+      for (const Ring& q : rings) {
+        const Pair pair(p, q);
+        Grid grid(pair);
+        by_solids += grid.check(random, 20);
+        grid.add_all_witnesses();
+        with_witnesses += grid.check(random, 20);
+      }
+    }
+  }
+  // What is held of lines, on an average. So the test tests something.
+  EXPECT_GT(by_solids / 108, 0.1);
+  EXPECT_GT(with_witnesses, by_solids);
+}
+
+// The solid is outside of the ring, and in what was a hole.
+TEST(CoveredCells, LieInTheOpenSumOfAComplement) {
+  const Boundary container =
+      joined(make_ring({{0, 0}, {100, 0}, {100, 100}, {0, 100}}, "container"),
+             std::array{
+                 make_ring({{40, 40}, {60, 40}, {60, 60}, {40, 60}}, "hole", Boundary::Kind::hole)})
+          .complement();
+  const Boundary b = make_ring({{0, 0}, {20, 0}, {20, 20}, {0, 20}}, "B");
+  Tally tally;
+  const Operands operands{container, b, merge_directions(container, b, tally)};
+  const CoveredCells cells(operands, slack_of(operands));
+  const auto holds = [&](double x, double y) {
+    const Point& p = container.vertices.front();
+    const Point& q = b.vertices.front();
+    const Point at{x - p.x - q.x, y - p.y - q.y};
+    return cells.hold({at.x, at.y, at.x, at.y});
+  };
+  EXPECT_TRUE(holds(60, 60));
+  EXPECT_FALSE(holds(30, 30));
+  EXPECT_FALSE(holds(90, 90));
+  EXPECT_FALSE(holds(21, 99));
+  EXPECT_FALSE(holds(39, 60));
+}
+
+// Where a cell is as small as a rounding error, none is covered.
+TEST(CoveredCells, HoldNothingOfNeedles) {
+  const Pair pair({{0, 0}, {1, 0}, {1, 1e-15}, {0.5, 5e-16}}, {{0, 0}, {1, 0}, {1, 1e-15}});
+  Grid grid(pair);
+  grid.add_all_witnesses();
+  Random random(2);
+  EXPECT_EQ(grid.check(random, 50), 0);
+}
+
+}  // namespace
+}  // namespace gcv
