@@ -16,6 +16,55 @@ namespace gcv {
 
 namespace {
 
+// Appends each place once, from that of the first vertex on. An outer face begins with its smallest
+// place. `first`: the number of the first vertex.
+void add_places(std::span<const Point> places, std::size_t first, bool from_smallest,
+                RoundedRegion& rounded) {
+  std::size_t size = places.size();
+  while (size > 1 && places[size - 1] == places[0]) {
+    --size;  // these belong to the first place
+  }
+  const std::size_t begin = rounded.vertices.size();
+  for (std::size_t k = 0; k < size; ++k) {
+    if (k == 0 || !(places[k] == places[k - 1])) {
+      rounded.vertices.push_back(places[k]);
+      rounded.exact_indices.push_back(first + k);
+    }
+  }
+  if (from_smallest) {
+    const std::span<const Point> ring = std::span(rounded.vertices).subspan(begin);
+    const auto smallest = static_cast<std::ptrdiff_t>(begin + lexicographic_min(ring));
+    const auto from = static_cast<std::ptrdiff_t>(begin);
+    std::rotate(rounded.vertices.begin() + from, rounded.vertices.begin() + smallest,
+                rounded.vertices.end());
+    std::rotate(rounded.exact_indices.begin() + from, rounded.exact_indices.begin() + smallest,
+                rounded.exact_indices.end());
+  }
+}
+
+// A region that is an outer face and nothing else.
+RoundedRegion round_outer_face(const ExactRegion& region, Task& task, Tally& tally) {
+  Placement placement = place_nearest(region, task, tally);
+  RoundedRegion rounded;
+  if (make_simple(region, placement, task, tally)) {
+    rounded.vertices.reserve(region.size());
+    rounded.exact_indices.reserve(region.size());
+    add_places(placement.places, 0, true, rounded);
+    rounded.error_bound = placement.error_bound;
+    rounded.vertices_repaired = placement.repaired;
+  } else {
+    RoundedRing ring = gcv::round_to_nearest(static_cast<const ExactRing&>(region), task, tally);
+    const std::vector<std::size_t> indices = closest_edges(placement.places, ring.vertices);
+    rounded.exact_indices.assign(indices.begin(), indices.end());
+    rounded.vertices = std::move(ring.vertices);
+    rounded.error_bound = ring.error_bound;
+    rounded.vertices_repaired = ring.vertices_repaired;
+  }
+  rounded.displacement = rounded.error_bound;
+  rounded.parts.push_back({PartKind::outer, 0, 0, rounded.vertices.size()});
+  return rounded;
+}
+
 class RegionRounder {
  public:
   RegionRounder(const ExactRegion& region, Task& task, Tally& tally)
@@ -93,7 +142,8 @@ class RegionRounder {
       if (ring.replaced) {
         add_replaced(ring, rounded);
       } else {
-        add_places(part, &ring == &rings_.rings.front() && ring.is_fixed, rounded);
+        add_places(rings_.places_of(part), part.first,
+                   &ring == &rings_.rings.front() && ring.is_fixed, rounded);
       }
       rounded.parts.push_back({part.kind, polygon, first, rounded.vertices.size() - first});
     }
@@ -105,32 +155,6 @@ class RegionRounder {
     rounded.vertices_repaired = rings_.repaired;
     rounded.parts_dropped = rings_.dropped;
     return rounded;
-  }
-
-  // Each place once, from that of the first vertex on. An outer face begins with its smallest
-  // place.
-  void add_places(const RegionPart& part, bool from_smallest, RoundedRegion& rounded) const {
-    const std::span<const Point> all = rings_.places_of(part);
-    std::size_t size = all.size();
-    while (size > 1 && all[size - 1] == all[0]) {
-      --size;  // these belong to the first place
-    }
-    const std::size_t begin = rounded.vertices.size();
-    for (std::size_t k = 0; k < size; ++k) {
-      if (k == 0 || !(all[k] == all[k - 1])) {
-        rounded.vertices.push_back(all[k]);
-        rounded.exact_indices.push_back(part.first + k);
-      }
-    }
-    if (from_smallest) {
-      const std::span<const Point> ring = std::span(rounded.vertices).subspan(begin);
-      const auto smallest = static_cast<std::ptrdiff_t>(begin + lexicographic_min(ring));
-      const auto from = static_cast<std::ptrdiff_t>(begin);
-      std::rotate(rounded.vertices.begin() + from, rounded.vertices.begin() + smallest,
-                  rounded.vertices.end());
-      std::rotate(rounded.exact_indices.begin() + from, rounded.exact_indices.begin() + smallest,
-                  rounded.exact_indices.end());
-    }
   }
 
   void add_replaced(const RoundingRing& ring, RoundedRegion& rounded) const {
@@ -173,7 +197,9 @@ class RegionRounder {
 
 RoundedRegion round_to_nearest(const ExactRegion& region, bool has_outer_face, Task& task,
                                Tally& tally) {
-  return RegionRounder(region, task, tally).run(has_outer_face);
+  return has_outer_face && region.parts.size() == 1
+             ? round_outer_face(region, task, tally)
+             : RegionRounder(region, task, tally).run(has_outer_face);
 }
 
 }  // namespace gcv

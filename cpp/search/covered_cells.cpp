@@ -162,6 +162,9 @@ class SolidCells {
   std::vector<Word> crossed_;  // where it crosses the middle of a row, an odd number of times
 };
 
+// With fewer pairs of vertices, a grid takes longer than what it saves.
+constexpr std::uint64_t fewest_pairs = 150;
+
 // Finer grids leave fewer edges to search for, and take longer: with the third power of the side
 // where solids are cut into many runs. bench/regions is quickest about here, from stars of 40
 // vertices to coasts of 10^4.
@@ -183,7 +186,8 @@ CoveredCells::CoveredCells(const Operands& operands, double slack)
   origin_ = {bounds.x0, bounds.y0};
   size_ = {(bounds.x1 - bounds.x0) / side_, (bounds.y1 - bounds.y0) / side_};
   cells_a_unit_ = {1 / size_.x, 1 / size_.y};
-  if (!(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
+  const std::uint64_t pairs = std::uint64_t{operands.a.size()} * operands.b.size();
+  if (pairs < fewest_pairs || !(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
     return;
   }
   bits_.resize(std::size_t{side_} * words_);

@@ -50,7 +50,7 @@ class CoveredCells {
   Point origin_{};
   Point size_{};  // of a cell
   Point cells_a_unit_{};
-  std::vector<Word> bits_;  // none if no cell is certain
+  std::vector<Word> bits_;  // none for small polygons, or if no cell is certain
 };
 
 }  // namespace gcv

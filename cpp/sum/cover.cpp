@@ -159,8 +159,11 @@ std::optional<Place> EdgeCover::skip_between(const PlacesOnLine& places, const R
 // edge and both edges at its vertex. One of them holds what follows on s, as a rule.
 std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const RelativeLine& line,
                                            const Place& place) {
+  if (places.compare(place, places.end()) >= 0) {
+    return std::nullopt;
+  }
   if (place.is_sum) {
-    return place.sum == places.end().sum ? std::nullopt : std::optional(place);
+    return place;
   }
   const PairEdge& f = place.crossing;
   const bool is_translated = f.kind == PairEdge::translated;
@@ -189,8 +192,8 @@ const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const Rela
   }
   const Interval here = parameters_of(line, place);
   const auto run = std::find_if(runs.begin(), runs.end(), [&](const Run& r) {
-    return !(r.parameter.lo > here.hi) && !(r.parameter.hi < here.lo) &&
-           places.compare(place, r.from) == 0;
+    return !(r.parameters.lo > here.hi) && !(r.parameters.hi < here.lo) &&
+           places.compare(r.from, place) <= 0 && places.compare(place, r.to) < 0;
   });
   return run == runs.end() ? nullptr : &*run;
 }

@@ -42,7 +42,7 @@ class EdgeCover {
   struct Run {
     Place from;
     Place to;
-    Interval parameter{};  // of `from`
+    Interval parameters{};  // of all its places
   };
 
   EdgeCover(const Operands& operands, Solids solids, Tally& tally)
@@ -71,7 +71,7 @@ class EdgeCover {
     std::optional<Place> segment;  // where one has begun
     std::vector<Run> runs = visitor.known_runs(places);
     for (Run& run : runs) {
-      run.parameter = parameters_of(line, run.from);
+      run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
     }
     std::optional<Place> place = places.start();
     if (find_run(places, line, runs, *place) == nullptr) {
@@ -156,7 +156,7 @@ class EdgeCover {
   // What lies between two places is covered. Nothing, or a place beyond, as skip() has it.
   std::optional<Place> skip_between(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& from, const Place& to);
-  // The run that begins in the place, or nullptr.
+  // The run that passes along s from the place on, or nullptr.
   [[nodiscard]] const Run* find_run(const PlacesOnLine& places, const RelativeLine& line,
                                     const std::vector<Run>& runs, const Place& place) const;
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place

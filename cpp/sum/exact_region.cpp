@@ -24,10 +24,8 @@ namespace {
 // Takes what covers leave.
 class Finder {
  public:
-  Finder(const Operands& operands, const SearchableSuperset& superset, Task& task, Tally& tally)
-      : known_(operands, tally),
-        walker_(operands, Search(superset), superset.slack(), task),
-        fits_(operands, tally) {}
+  Finder(const Operands& operands, Task& task, Tally& tally)
+      : operands_(operands), task_(task), known_(operands, tally), fits_(operands, tally) {}
 
   // A ring that lives as long as this.
   void add_outer(const std::vector<RingVertex>& ring) {
@@ -48,7 +46,11 @@ class Finder {
     if (outer_ != nullptr) {
       add_known(*std::exchange(outer_, nullptr));
     }
-    auto ring = walker_.ring(from, places.line().edge,
+    if (!walker_) {
+      superset_.emplace(operands_);
+      walker_.emplace(operands_, Search(*superset_), superset_->slack(), task_);
+    }
+    auto ring = walker_->ring(from, places.line().edge,
                              [&](const RingVertex& vertex) { return known_.has(vertex); });
     if (ring.walk) {
       steps_ += ring.walk->steps;
@@ -69,7 +71,7 @@ class Finder {
   // The rings found, with the free side on the right.
   std::vector<std::vector<RingVertex>>& rings() { return rings_; }
   Fits& fits() { return fits_; }
-  [[nodiscard]] const Tally& tally() const { return walker_.tally(); }
+  [[nodiscard]] Tally tally() const { return walker_ ? walker_->tally() : Tally{}; }
   [[nodiscard]] std::uint64_t steps() const { return steps_; }
   [[nodiscard]] std::uint64_t candidates() const { return candidates_; }
 
@@ -86,10 +88,13 @@ class Finder {
     }
   }
 
+  const Operands& operands_;
+  Task& task_;
   KnownRuns runs_;
   const std::vector<RingVertex>* outer_ = nullptr;  // if its turns are not known yet
   KnownTurns known_;
-  Walker<Search> walker_;
+  std::optional<SearchableSuperset> superset_;  // made for the first ring
+  std::optional<Walker<Search>> walker_;
   Fits fits_;
   std::vector<std::vector<RingVertex>> rings_;
   std::uint64_t steps_ = 0;
@@ -140,8 +145,9 @@ void walk_half_plane(const Operands& operands, EdgeCover& cover, Finder& finder,
 
 }  // namespace
 
-void add_outer_ring(const std::vector<RingVertex>& outer, ExactRegion& region) {
-  add_part(region, PartKind::outer, 0, outer);
+void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region) {
+  region.parts.push_back({PartKind::outer, 0, 0, outer.size()});
+  region.vertices = std::move(outer);
 }
 
 void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
@@ -151,8 +157,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   if (operands.a.is_convex && operands.b.is_convex) {
     return;
   }
-  const SearchableSuperset superset(operands);
-  Finder finder(operands, superset, task, tally);
+  Finder finder(operands, task, tally);
   finder.add_outer(outer);
   EdgeCover cover(operands, Solids::one, tally);
   walk_half_plane(operands, cover, finder, task, counts);
@@ -176,8 +181,7 @@ void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& 
                      Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   const Solids solids = operands.a.layout.ring_count() > 1 ? Solids::several : Solids::one;
-  const SearchableSuperset superset(operands);
-  Finder finder(operands, superset, task, tally);
+  Finder finder(operands, task, tally);
   EdgeCover cover(operands, solids, tally);
   walk_half_plane(operands, cover, finder, task, counts);
   Index number = 0;

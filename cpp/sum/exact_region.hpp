@@ -19,8 +19,8 @@ struct WantedParts {
   bool fits = true;  // segments and points
 };
 
-// Adds the first ring of a sum.
-void add_outer_ring(const std::vector<RingVertex>& outer, ExactRegion& region);
+// Makes it the first ring of a sum.
+void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region);
 
 // Adds the parts of the closed sum of two polygons. `outer` is the ring of its outer face.
 void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,

@@ -15,21 +15,26 @@ namespace gcv {
 // table with linear probing.
 class KnownRuns {
  public:
-  // Along the superset edge that leaves `from`.
+  // From one vertex to the next, along superset edges on one line.
   struct Run {
     RingVertex from;
     RingVertex to;
   };
 
   void add(const std::vector<RingVertex>& ring) {
-    reserve(runs_.size() + ring.size());
+    reserve(runs_.size() + 2 * ring.size());
     for (std::size_t k = 0; k < ring.size(); ++k) {
-      runs_.push_back({{ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]}, none});
-      insert(static_cast<std::uint32_t>(runs_.size() - 1));
+      const Run run{ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]};
+      const EdgeName first = run.from.leaving();
+      const EdgeName last = run.to.arriving();
+      add(first, run);
+      if (!are_equal(first, last)) {
+        add(last, run);
+      }
     }
   }
 
-  // Calls visit(run) for the runs along the edge with that name.
+  // Calls visit(run) for the runs of which the edge with that name is the first or the last one.
   template <class Visit>
   void for_each(const EdgeName& edge, Visit visit) const {
     if (slots_.empty()) {
@@ -44,6 +49,7 @@ class KnownRuns {
   static constexpr std::uint32_t none = 0xffffffff;
 
   struct Entry {
+    EdgeName edge;
     Run run;
     std::uint32_t next;  // of the same edge
   };
@@ -57,13 +63,17 @@ class KnownRuns {
     std::uint64_t hash = (std::uint64_t{edge.i} << 32U | edge.j) * 0x9e3779b97f4a7c15U + edge.kind;
     hash ^= hash >> 32U;
     std::size_t slot = hash & (slots_.size() - 1);
-    while (slots_[slot] != none && !are_equal(runs_[slots_[slot]].run.from.leaving(), edge)) {
+    while (slots_[slot] != none && !are_equal(runs_[slots_[slot]].edge, edge)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;
   }
+  void add(const EdgeName& edge, const Run& run) {
+    runs_.push_back({edge, run, none});
+    insert(static_cast<std::uint32_t>(runs_.size() - 1));
+  }
   void insert(std::uint32_t k) {
-    std::uint32_t& slot = slots_[slot_of(runs_[k].run.from.leaving())];
+    std::uint32_t& slot = slots_[slot_of(runs_[k].edge)];
     runs_[k].next = slot;
     slot = k;
   }

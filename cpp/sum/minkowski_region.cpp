@@ -24,7 +24,7 @@ std::shared_ptr<const Boundary> all_rings(const std::shared_ptr<const Polygon>& 
 ExactRegion exact_sum(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                       const WantedParts& wanted, Task& task, Counts& counts) {
   Tally& tally = counts.predicates;
-  const Walk walk = walk_outer_face(a.polygon->outer, b.polygon->outer, task, tally);
+  Walk walk = walk_outer_face(a.polygon->outer, b.polygon->outer, task, tally);
   counts.walk_steps += walk.steps;
   counts.candidate_edges += walk.candidates;
   ExactRegion exact;
@@ -33,7 +33,7 @@ ExactRegion exact_sum(const RegionOperand& a, const RegionOperand& b, const Poin
   exact.shift = shift;
   exact.chains_are_repeated = walk.chains_are_repeated;
   if (!wanted.holes && !wanted.fits) {
-    add_outer_ring(walk.vertices, exact);
+    add_outer_ring(std::move(walk.vertices), exact);
     return exact;
   }
   const Operands operands{*exact.a.ring, *exact.b.ring,
@@ -59,9 +59,6 @@ ExactRegion exact_fits(const RegionOperand& container, const RegionOperand& refl
 
 // An operand within half of the tolerance of the given polygon.
 RegionOperand simplified(const RegionOperand& operand, const SumOptions& options) {
-  if (options.tolerance == 0) {
-    return operand;
-  }
   if (operand.polygon->holes.empty()) {
     const Simplified near = simplified_for_sum(outer_ring(operand.polygon), options);
     return {std::make_shared<const Polygon>(*near.ring), operand.name, near.error_bound};
@@ -70,20 +67,16 @@ RegionOperand simplified(const RegionOperand& operand, const SumOptions& options
   return {near.polygon, operand.name, near.error_bound};
 }
 
-}  // namespace
-
-Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
-                            const RegionOptions& options, Task& task) {
-  task.begin(estimated_steps(a.polygon->outer, b.polygon->outer));
-  const RegionOperand near_a = simplified(a, options);
-  const RegionOperand near_b = simplified(b, options);
+// The region of a sum of these operands.
+Region region_of(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                 const RegionOptions& options, Task& task) {
   if (shift == Point{0, 0}) {
-    check_extremes({outer_ring(near_a.polygon), a.name}, {outer_ring(near_b.polygon), b.name});
+    check_extremes(a.polygon->outer, a.name, b.polygon->outer, b.name);
   }
   Region region;
   Tally& tally = region.counts.predicates;
   const WantedParts wanted{!options.leave_out_holes, !options.leave_out_fits};
-  region.exact = exact_sum(near_a, near_b, shift, wanted, task, region.counts);
+  region.exact = exact_sum(a, b, shift, wanted, task, region.counts);
   if (options.rounding == Rounding::nearest) {
     region.rounded = round_to_nearest(region.exact, true, task, tally);
   } else {
@@ -99,7 +92,18 @@ Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, cons
     region.rounded = round_region_outward(region.exact, outer_face_of, sum_with, task, tally);
   }
   region.rounded.error_bound =
-      sum_bound(region.rounded.error_bound, sum_bound(near_a.error_bound, near_b.error_bound));
+      sum_bound(region.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
+  return region;
+}
+
+}  // namespace
+
+Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                            const RegionOptions& options, Task& task) {
+  task.begin(estimated_steps(a.polygon->outer, b.polygon->outer));
+  Region region = options.tolerance == 0 ? region_of(a, b, shift, options, task)
+                                         : region_of(simplified(a, options), simplified(b, options),
+                                                     shift, options, task);
   task.finish();
   return region;
 }

@@ -39,18 +39,18 @@ Point finite_sum(const SumPoint& point) {
 }  // namespace
 
 // Where one is not finite, nor is a search in doubles of use: better to know before the walk.
-void check_extremes(const Operand& a, const Operand& b) {
+void check_extremes(const Boundary& a, const char* name_a, const Boundary& b, const char* name_b) {
   const auto check = [&](const char* name, double x, double y) {
     if (!std::isfinite(x + y)) {
       throw Error(
           Status::range,
           "the %s coordinate of the outer face, the sum of %g of %s and %g of %s, is beyond "
           "the largest double",
-          name, x, a.name, y, b.name);
+          name, x, name_a, y, name_b);
     }
   };
-  const Box& box_a = a.ring->bounds;
-  const Box& box_b = b.ring->bounds;
+  const Box& box_a = a.bounds;
+  const Box& box_b = b.bounds;
   check("smallest x", box_a.x0, box_b.x0);
   check("largest x", box_a.x1, box_b.x1);
   check("smallest y", box_a.y0, box_b.y0);
@@ -72,7 +72,7 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   const Boundary& pa = *a.ring;
   const Boundary& pb = *b.ring;
   if (shift == Point{0, 0}) {
-    check_extremes(a, b);
+    check_extremes(pa, a.name, pb, b.name);
   }
   OuterFace face;
   Tally& tally = face.counts.predicates;

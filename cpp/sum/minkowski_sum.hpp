@@ -46,7 +46,7 @@ Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
 
 // The extreme coordinates of a sum are those of vertices of its outer face. Throws Error: range, if
 // one is not finite.
-void check_extremes(const Operand& a, const Operand& b);
+void check_extremes(const Boundary& a, const char* name_a, const Boundary& b, const char* name_b);
 
 // The outer face of a + b + shift, of these operands as they are. Their error bounds count in the
 // error bound of the result. Throws Error: range, cancelled, internal.

@@ -40,15 +40,22 @@ int PlacesOnLine::compare(const Place& p, const Place& q) const {
   if (p.is_sum) {
     return -compare(q, p);
   }
-  const Line r = Line::of(operands_, p.crossing);
   if (q.is_sum) {
+    const Line r = Line::of(operands_, p.crossing);
     return -turn_from(r) * side_of_sum(r, q.sum);
+  }
+  const PairEdge& e = p.crossing;
+  const PairEdge& f = q.crossing;
+  if (e.kind == f.kind && e.i == f.i && e.j == f.j) {
+    ++tally_.filtered;
+    return 0;
   }
   if (p.parameter.hi < q.parameter.lo || p.parameter.lo > q.parameter.hi) {
     ++tally_.filtered;
     return p.parameter.hi < q.parameter.lo ? -1 : 1;
   }
-  return compare_crossings(line_.at, r.at, Line::of(operands_, q.crossing).at, tally_);
+  return compare_crossings(line_.at, coordinates(operands_.a, operands_.b, e),
+                           coordinates(operands_.a, operands_.b, f), tally_);
 }
 
 }  // namespace gcv
