@@ -9,6 +9,8 @@
 #include "error.hpp"
 #include "generators.hpp"
 #include "numbers.hpp"
+#include "polygon.hpp"
+#include "region_families.hpp"
 #include "vector.hpp"
 
 namespace gcv {
@@ -195,6 +197,47 @@ TEST(Area, IsCorrectlyRounded) {
     ASSERT_LE(error(area), error(std::nextafter(area, HUGE_VAL)));
     ASSERT_LE(error(area), error(std::nextafter(area, -HUGE_VAL)));
   }
+}
+
+// The edge from p to q is that from q to p of the complement, with the same number.
+TEST(Boundary, HasAComplement) {
+  Random random(71);
+  std::size_t rings = 0;
+  for (int k = 0; k < 100; ++k) {
+    const test::RegionCase c = test::with_holes(random);
+    const Polygon polygon = make_polygon(c.a, "polygon");
+    const gcv::Boundary& boundary = polygon.boundary();
+    const gcv::Boundary complement = boundary.complement();
+    rings += polygon.ring_count();
+    ASSERT_EQ(complement.size(), boundary.size());
+    ASSERT_EQ(complement.layout.ring_count(), boundary.layout.ring_count());
+    ASSERT_EQ(complement.kind, gcv::Boundary::Kind::hole);
+    ASSERT_EQ(complement.lexicographic_min, 0U);
+    ASSERT_EQ(complement.vertices[complement.lexicographic_max],
+              boundary.vertices[boundary.lexicographic_max]);
+    ASSERT_EQ(complement.bounds.x0, boundary.bounds.x0);
+    ASSERT_EQ(complement.bounds.y1, boundary.bounds.y1);
+    for (Index ring = 0; ring < boundary.layout.ring_count(); ++ring) {
+      ASSERT_EQ(complement.layout.begin(ring), boundary.layout.begin(ring));
+      Index there = boundary.layout.begin(ring);
+      for (Index i = there; i < boundary.layout.end(ring); ++i) {
+        const Index before = boundary.previous(there);
+        ASSERT_EQ(complement.vertices[i], boundary.vertices[there]);
+        ASSERT_EQ(complement.corners[i].vertex_number, boundary.corners[there].vertex_number);
+        ASSERT_EQ(complement.corners[i].convex, !boundary.corners[there].convex);
+        ASSERT_EQ(complement.vertices[complement.next(i)], boundary.vertices[before]);
+        ASSERT_EQ(complement.corners[i].edge_number, boundary.corners[before].edge_number);
+        there = before;
+      }
+    }
+    const gcv::Boundary back = complement.complement();
+    ASSERT_EQ(back.vertices, boundary.vertices);
+    ASSERT_EQ(back.kind, boundary.kind);
+    ASSERT_EQ(back.lexicographic_max, boundary.lexicographic_max);
+    ASSERT_EQ(edge_numbers(back), edge_numbers(boundary));
+    ASSERT_EQ(vertex_numbers(back), vertex_numbers(boundary));
+  }
+  EXPECT_GT(rings, 120U);
 }
 
 }  // namespace

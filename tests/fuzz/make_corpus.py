@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Writes the hand-made inputs of corpus/polygons and corpus/calls, which are bytes."""
+"""Writes the hand-made inputs of corpus/polygons, corpus/calls and corpus/regions: bytes."""
 
 import random
 import struct
@@ -198,7 +198,48 @@ def calls() -> dict[str, bytes]:
     return inputs
 
 
-for target, inputs in (("polygons", polygons()), ("calls", calls())):
+def regions() -> dict[str, bytes]:
+    """Bytes as fuzz_regions.cpp reads them: what to compute, then two polygons."""
+    no_fit, fit = 0, 1
+    points, rectangle, teeth, block = range(4)
+    one_hole, two_holes, sheared = 4, 8, 64
+
+    def ring(*xy: int) -> bytes:
+        return bytes([len(xy) // 2 - 3, *xy])
+
+    square = bytes([rectangle, 0, 0, 0, 0])
+    domino = bytes([rectangle, 0, 0, 1, 0])
+    slot = bytes([teeth, 2, 7, 1, 1, 1, 7, 1])
+    frame = bytes([block | one_hole, rectangle, 1, 1, 4, 4])
+    touching = bytes([block | two_holes, rectangle, 1, 1, 2, 2, rectangle, 4, 4, 2, 2])
+    triangle = bytes([points]) + ring(0, 0, 5, 0, 0, 5)
+    inputs = {
+        "empty": b"",
+        "triangle": bytes([no_fit]) + triangle * 2,
+        "triangle_fit": bytes([fit]) + triangle + bytes([points]) + ring(0, 0, 1, 0, 0, 1),
+        "reference": bytes([no_fit + 16 + 4]) + slot + square,
+        "refused": bytes([no_fit, points]) + ring(0, 0, 1, 1, 1, 0, 0, 1) + square,
+    }
+    for name, a, b in (
+        ("slot", slot, square), ("slot_exact", slot, domino), ("frame", frame, square),
+        ("frame_exact", frame, bytes([rectangle, 0, 0, 4, 4])), ("touching", touching, square),
+        ("touching_holes", touching, touching), ("combs", slot, slot),
+        ("sheared", bytes([slot[0] | sheared]) + slot[1:] + b"\2", square),
+    ):  # fmt: skip
+        inputs[name] = bytes([no_fit]) + a + b
+        inputs[name + "_fit"] = bytes([fit]) + a + b
+    dice = random.Random(2)
+    for k in range(60):
+        shapes = (points, rectangle, teeth, block, block | one_hole, block | two_holes)
+        a, b = (
+            bytes([dice.choice(shapes) | dice.choice((0, sheared))]) + dice.randbytes(22)
+            for _ in "ab"
+        )
+        inputs[f"random_{k}"] = bytes([k % 2]) + a + b
+    return inputs
+
+
+for target, inputs in (("polygons", polygons()), ("calls", calls()), ("regions", regions())):
     (CORPUS / target).mkdir(parents=True, exist_ok=True)
     for name, data in inputs.items():
         (CORPUS / target / name).write_bytes(data)
