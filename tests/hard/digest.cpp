@@ -186,7 +186,7 @@ void add_regions(Digest& digest, Compute compute) {
 // Of some pairs with few superset edges. Builds that check everything take long for the others.
 std::uint64_t digest_of_regions(const Pairs& pairs) {
   Digest digest;
-  for (const Pair& pair : region_pairs(pairs)) {
+  for (const Pair& pair : region_pairs(pairs, 15)) {
     const RegionOperands operands(pair);
     const double origin[2] = {0, 0};
     const double reference[2] = {0.1, -3};

@@ -20,7 +20,7 @@ class Regions : public ::testing::TestWithParam<Family> {};
 TEST_P(Regions, KeepTheInvariants) {
   Effort effort = GetParam().effort;
   effort.work = 2000;
-  const Pairs pairs = region_pairs(GetParam().pairs());
+  const Pairs pairs = region_pairs(GetParam().pairs(), 40);
   for (std::size_t k = 0; k < pairs.size(); ++k) {
     const auto& [a, b] = pairs[k];
     const Polygon moving = negated(b);

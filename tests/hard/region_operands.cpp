@@ -33,13 +33,12 @@ RegionOperands::RegionOperands(const Pair& pair)
   }
 }
 
-Pairs region_pairs(const Pairs& pairs) {
+Pairs region_pairs(const Pairs& pairs, std::size_t count) {
   constexpr std::size_t most_sums = 50000;
-  constexpr std::size_t most_pairs = 40;
   Pairs small;
   std::copy_if(pairs.begin(), pairs.end(), std::back_inserter(small),
                [](const Pair& pair) { return pair.a.size() * pair.b.size() <= most_sums; });
-  const std::size_t step = small.size() / most_pairs + 1;
+  const std::size_t step = small.size() / count + 1;
   Pairs spread;
   for (std::size_t k = 0; k < small.size(); k += step) {
     spread.push_back(small[k]);

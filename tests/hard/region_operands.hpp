@@ -3,6 +3,7 @@
 // What regions are made of, for a pair of the catalogue.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "catalogue.hpp"
@@ -24,7 +25,7 @@ struct RegionOperands {
   invariants::PolygonHandle frame;
 };
 
-// Pairs with at most 50,000 sums of two vertices. Not all where there are many, but evenly spread.
-Pairs region_pairs(const Pairs& pairs);
+// Pairs with at most 50,000 sums of two vertices: about as many as given, evenly spread.
+Pairs region_pairs(const Pairs& pairs, std::size_t count);
 
 }  // namespace gcv::hard
