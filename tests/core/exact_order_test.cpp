@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exact_rings.hpp"
@@ -126,46 +127,47 @@ TEST(ExactOrder, BoxesOfEdgesOverlap) {
   EXPECT_GT(overlapping, 1000U);
 }
 
-TEST(ExactOrder, OrdersRings) {
-  std::size_t rings = 0;
+// Rings in any order and from any vertex; one of them twice, and once with a vertex more.
+TEST(ExactOrder, SortsRings) {
+  std::size_t sorted_rings = 0;
+  test::Random shuffle(352);
   for_each_example(10, [&](Example& example) {
     const ExactOrder order = example.order();
-    std::vector<std::vector<RingVertex>> all;
+    const std::vector<RingVertex>& vertices = example.region.exact.vertices;
+    std::vector<std::vector<RingVertex>> rings;
+    std::vector<invariants::Ring> expected;
     for (const RegionPart& part : example.region.exact.parts) {
       if (!part.is_ring()) {
         continue;
       }
-      const auto first =
-          example.region.exact.vertices.begin() + static_cast<std::ptrdiff_t>(part.first);
-      std::vector<RingVertex> ring(first, first + static_cast<std::ptrdiff_t>(part.size));
-      const RingVertex smallest = ring.front();
-      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(ring.size() / 2),
-                  ring.end());
-      order.begin_with_smallest(ring);
-      ASSERT_EQ(order.compare(ring.front(), smallest), 0);
-      all.push_back(std::move(ring));
-      ++rings;
+      const auto first = static_cast<std::ptrdiff_t>(part.first);
+      const auto size = static_cast<std::ptrdiff_t>(part.size);
+      expected.emplace_back(example.points.begin() + first, example.points.begin() + first + size);
+      rings.emplace_back(vertices.begin() + first, vertices.begin() + first + size);
+      std::rotate(rings.back().begin(),
+                  rings.back().begin() + static_cast<std::ptrdiff_t>(shuffle() % part.size),
+                  rings.back().end());
+      rings.push_back(rings.back());
+      expected.push_back(expected.back());
+      rings.push_back({vertices.begin() + first, vertices.begin() + first + size});
+      rings.back().push_back(vertices[part.first + 1]);
+      expected.push_back(expected.back());
+      expected.back().push_back(example.points[part.first + 1]);
     }
-    for (const auto& p : all) {
-      ASSERT_FALSE(order.is_before(p, p));
-      const std::vector<RingVertex> longer = [&] {
-        std::vector<RingVertex> ring = p;
-        ring.push_back(p.front());
-        return ring;
-      }();
-      ASSERT_TRUE(order.is_before(p, longer));
-      ASSERT_FALSE(order.is_before(longer, p));
-      for (const auto& q : all) {
-        const int by_first = order.compare(p.front(), q.front());
-        if (by_first != 0) {
-          ASSERT_EQ(order.is_before(p, q), by_first < 0);
-        } else if (&p != &q) {
-          ASSERT_NE(order.is_before(p, q), order.is_before(q, p));
-        }
-      }
+    for (std::size_t k = rings.size(); k > 1; --k) {
+      std::swap(rings[k - 1], rings[shuffle() % k]);
+    }
+    order.sort(rings);
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(rings.size(), expected.size());
+    for (std::size_t k = 0; k < rings.size(); ++k) {
+      ExactRing ring{example.region.exact.a, example.region.exact.b, example.region.exact.shift,
+                     rings[k]};
+      ASSERT_TRUE(test::exact(ring) == expected[k]);
+      ++sorted_rings;
     }
   });
-  EXPECT_GT(rings, 100U);
+  EXPECT_GT(sorted_rings, 300U);
 }
 
 }  // namespace
