@@ -2,21 +2,16 @@
 #include "measure.hpp"
 
 #include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
-#include <csignal>
-#include <cstdio>
 #include <cstring>
 #include <ctime>
-#include <stdexcept>
-#include <system_error>
+#include <string>
 #include <type_traits>
-#include <utility>
+
+#include "apart.hpp"
 
 namespace gcv::bench {
 
@@ -25,16 +20,14 @@ namespace {
 constexpr double enough_seconds = 0.1;  // a run as long as that is measured once
 constexpr int batches = 5;
 constexpr double batch_seconds = 0.002;
-constexpr rlim_t most_memory = rlim_t{12} << 30;
 
-// What comes through the pipe: a failure or all the rest; the ring behind it, if wanted.
+// All measures of one run.
 struct Report {
   double seconds;
   std::size_t vertices;
   double area;
   std::size_t peak_bytes;
   Observation observation;
-  std::array<char, 200> failure;
 };
 static_assert(std::is_trivially_copyable_v<Report>);
 
@@ -91,103 +84,43 @@ Report run(const System& system, const Ring& a, const Ring& b, const Demand& dem
   return report;
 }
 
-Report run_caught(const System& system, const Ring& a, const Ring& b, const Demand& demand,
-                  Ring& ring) {
-  Report report{};
-  try {
-    report = run(system, a, b, demand, ring);
-  } catch (const std::exception& exception) {
-    ring.clear();
-    std::snprintf(report.failure.data(), report.failure.size(), "error: %s", exception.what());
+// What comes back: the measures, and the ring behind them where it is wanted.
+std::string to_bytes(const Report& report, const Ring& ring) {
+  std::string bytes(sizeof report + ring.size() * sizeof(Point), '\0');
+  std::memcpy(bytes.data(), &report, sizeof report);
+  if (!ring.empty()) {
+    std::memcpy(bytes.data() + sizeof report, ring.data(), ring.size() * sizeof(Point));
   }
-  return report;
-}
-
-bool write_all(int out, const void* data, std::size_t bytes) {
-  const char* next = static_cast<const char*>(data);
-  while (bytes > 0) {
-    const ssize_t written = write(out, next, bytes);
-    if (written <= 0) {
-      return false;
-    }
-    next += written;
-    bytes -= static_cast<std::size_t>(written);
-  }
-  return true;
-}
-
-bool read_all(int in, void* data, std::size_t bytes) {
-  char* next = static_cast<char*>(data);
-  while (bytes > 0) {
-    const ssize_t got = read(in, next, bytes);
-    if (got <= 0) {
-      return false;
-    }
-    next += got;
-    bytes -= static_cast<std::size_t>(got);
-  }
-  return true;
-}
-
-[[noreturn]] void child(const System& system, const Ring& a, const Ring& b, const Demand& demand,
-                        int out) {
-  const rlimit memory{most_memory, most_memory};
-  setrlimit(RLIMIT_AS, &memory);
-  const rlimit no_core{0, 0};
-  setrlimit(RLIMIT_CORE, &no_core);
-  const auto seconds = static_cast<rlim_t>(std::ceil(demand.limit));
-  const rlimit time{seconds, seconds + 1};
-  setrlimit(RLIMIT_CPU, &time);
-  Ring ring;
-  const Report report = run_caught(system, a, b, demand, ring);
-  const bool is_written =
-      write_all(out, &report, sizeof report) &&
-      (!demand.wants_ring || write_all(out, ring.data(), ring.size() * sizeof(Point)));
-  _exit(is_written ? 0 : 1);
-}
-
-Measurement failed(int status, double limit) {
-  Measurement result;
-  char text[64];
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU) {
-    result.is_cut_off = true;
-    std::snprintf(text, sizeof text, "> %.0f s", limit);
-  } else if (WIFSIGNALED(status)) {
-    std::snprintf(text, sizeof text, "crash: %s", strsignal(WTERMSIG(status)));
-  } else {
-    std::snprintf(text, sizeof text, "exit status %d", WEXITSTATUS(status));
-  }
-  result.failure = text;
-  return result;
+  return bytes;
 }
 
 }  // namespace
 
 Measurement measure(const System& system, const Ring& a, const Ring& b, const Demand& demand) {
-  int ends[2];
-  if (pipe(ends) != 0) {
-    throw std::system_error(errno, std::generic_category(), "pipe");
+  const Outcome outcome = run_apart(demand.limit, [&] {
+    Ring ring;
+    const Report report = run(system, a, b, demand, ring);
+    return to_bytes(report, demand.wants_ring ? ring : Ring{});
+  });
+  Measurement result;
+  result.failure = outcome.failure;
+  result.is_cut_off = outcome.is_cut_off;
+  if (!outcome.failure.empty()) {
+    return result;
   }
-  const pid_t process = fork();
-  if (process < 0) {
-    throw std::system_error(errno, std::generic_category(), "fork");
-  }
-  if (process == 0) {
-    child(system, a, b, demand, ends[1]);
-  }
-  close(ends[1]);
   Report report{};
-  bool is_complete = read_all(ends[0], &report, sizeof report);
-  Ring ring(is_complete && demand.wants_ring ? report.vertices : 0);
-  is_complete = is_complete && read_all(ends[0], ring.data(), ring.size() * sizeof(Point));
-  close(ends[0]);
-  int status = 0;
-  waitpid(process, &status, 0);
-  if (!is_complete) {
-    return failed(status, demand.limit);
+  std::memcpy(&report, outcome.bytes.data(), sizeof report);
+  result.seconds = report.seconds;
+  result.vertices = report.vertices;
+  result.area = report.area;
+  result.peak_bytes = report.peak_bytes;
+  result.observation = report.observation;
+  result.ring.resize((outcome.bytes.size() - sizeof report) / sizeof(Point));
+  if (!result.ring.empty()) {
+    std::memcpy(result.ring.data(), outcome.bytes.data() + sizeof report,
+                result.ring.size() * sizeof(Point));
   }
-  return {report.seconds,     report.vertices,       report.area, report.peak_bytes,
-          report.observation, report.failure.data(), false,       std::move(ring)};
+  return result;
 }
 
 }  // namespace gcv::bench

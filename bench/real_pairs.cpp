@@ -56,6 +56,23 @@ Set nesting(const std::filesystem::path& directory, int count) {
   return set;
 }
 
+Set lost_holes(const std::filesystem::path& directory) {
+  Set set{.name = "lost holes"};
+  for (const auto& entry : std::filesystem::directory_iterator(directory / "lost_holes")) {
+    const std::string name = entry.path().stem().string();
+    const std::string number = name.substr(0, name.find('_'));
+    if (name == number + "_a") {
+      set.pairs.push_back({number, [folder = directory / "lost_holes", number] {
+                             return Rings{read_polygon(folder / (number + "_a.wkt")),
+                                          read_polygon(folder / (number + "_b.wkt"))};
+                           }});
+    }
+  }
+  std::sort(set.pairs.begin(), set.pairs.end(),
+            [](const Pair& p, const Pair& q) { return p.name < q.name; });
+  return set;
+}
+
 PointVector tidy(const PointVector& ring) {
   Ring result;
   for (const Point& p : ring) {

@@ -37,6 +37,13 @@ std::vector<Set> all_sets(bool quick);
 std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory);
 // Pairs of parts of nesting instances, drawn at random.
 Set nesting(const std::filesystem::path& directory, int count);
+// The pairs of the folder lost_holes.
+Set lost_holes(const std::filesystem::path& directory);
+
+// Pairs of random polygons of 3 to 12 vertices on small integer grids.
+Set random_small_pairs(int count);
+// So many sums of polygons without holes from each family of regions that has such.
+Set region_ties(int of_each_family);
 
 // The pairs of the report on accuracy: the real ones only where the data is.
 std::vector<Pair> accuracy_pairs(bool quick);

@@ -23,7 +23,28 @@ install_missing() {
 # install_packages PACKAGE...: these, beside what the build of all benchmarks takes.
 install_packages() {
   install_missing cmake g++ ninja-build pkg-config libgmp-dev libmpfr-dev libboost-dev \
-    libcgal-dev libbenchmark-dev libpolyclipping-dev libsfcgal-dev python3 "$@"
+    libcgal-dev libbenchmark-dev libpolyclipping-dev libsfcgal-dev libgeos-dev python3 "$@"
+}
+
+# Clipper2 in build/clipper2, where there is none: Debian 12 has no package of it, but the sources
+# of one of PyPI hold its own.
+provide_clipper2() {
+  local folder=$PWD/build/clipper2
+  pkg-config --exists Clipper2 && return
+  if [ ! -e "$folder/lib/pkgconfig/Clipper2.pc" ]; then
+    mkdir -p "$folder"
+    { python3 -m venv "$folder/venv" &&
+        "$folder/venv/bin/pip" download -q --no-deps --no-binary pyclipr -d "$folder" \
+          pyclipr==0.1.8 &&
+        tar -xzf "$folder/pyclipr-0.1.8.tar.gz" -C "$folder" &&
+        cmake -S "$folder/pyclipr-0.1.8/external/clipper2/CPP" -B "$folder/build" -G Ninja \
+          -DCMAKE_BUILD_TYPE=Release -DCMAKE_CXX_FLAGS=-Wno-error=maybe-uninitialized -DCLIPPER2_UTILS=OFF -DCLIPPER2_EXAMPLES=OFF \
+          -DCLIPPER2_TESTS=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_INSTALL_LIBDIR=lib \
+          -DCMAKE_INSTALL_PREFIX="$folder" &&
+        cmake --build "$folder/build" --target install; } > "$folder.log" 2>&1 ||
+      { cat "$folder.log" >&2; exit 1; }
+  fi
+  export PKG_CONFIG_PATH=$folder/lib/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 }
 
 # build_in FOLDER CMAKE-ARGUMENT... -- TARGET...

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <SFCGAL/capi/sfcgal_c.h>
+#include "sfcgal.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <memory>
 #include <stdexcept>
 
 #include "system.hpp"
@@ -13,8 +11,6 @@
 namespace gcv::bench {
 
 namespace {
-
-using Geometry = std::unique_ptr<sfcgal_geometry_t, decltype(&sfcgal_geometry_delete)>;
 
 std::array<char, 200> last_error;
 
@@ -26,14 +22,14 @@ int keep_error(const char* format, ...) {
   return 0;
 }
 
-Geometry checked(sfcgal_geometry_t* geometry) {
+SfcgalGeometry checked(sfcgal_geometry_t* geometry) {
   if (geometry == nullptr) {
     throw std::runtime_error(last_error.data());
   }
   return {geometry, sfcgal_geometry_delete};
 }
 
-Geometry to_sfcgal(const Ring& ring) {
+SfcgalGeometry to_sfcgal(const Ring& ring) {
   sfcgal_geometry_t* const line = sfcgal_linestring_create();
   for (std::size_t k = 0; k <= ring.size(); ++k) {
     const Point& p = ring[k % ring.size()];
@@ -42,8 +38,9 @@ Geometry to_sfcgal(const Ring& ring) {
   return checked(sfcgal_polygon_create_from_exterior_ring(line));
 }
 
-Ring to_doubles(const sfcgal_geometry_t* polygon) {
-  const sfcgal_geometry_t* const line = sfcgal_polygon_exterior_ring(polygon);
+}  // namespace
+
+PointVector sfcgal_ring(const sfcgal_geometry_t* line) {
   Ring ring;
   for (std::size_t k = 0; k + 1 < sfcgal_linestring_num_points(line); ++k) {
     const sfcgal_geometry_t* const p = sfcgal_linestring_point_n(line, k);
@@ -52,20 +49,23 @@ Ring to_doubles(const sfcgal_geometry_t* polygon) {
   return ring;
 }
 
-}  // namespace
+SfcgalGeometry sfcgal_sum(const PointVector& a, const PointVector& b) {
+  sfcgal_init();
+  sfcgal_set_error_handlers(keep_error, keep_error);
+  const SfcgalGeometry p = to_sfcgal(a);
+  const SfcgalGeometry q = to_sfcgal(b);
+  return checked(sfcgal_geometry_minkowski_sum(p.get(), q.get()));
+}
 
 // A sum of polygons is a multipolygon of one polygon.
 Job sfcgal(const Ring& a, const Ring& b) {
-  sfcgal_init();
-  sfcgal_set_error_handlers(keep_error, keep_error);
   return {[&a, &b] {
-    const Geometry p = to_sfcgal(a);
-    const Geometry q = to_sfcgal(b);
-    const Geometry sum = checked(sfcgal_geometry_minkowski_sum(p.get(), q.get()));
+    const SfcgalGeometry sum = sfcgal_sum(a, b);
     if (sfcgal_geometry_collection_num_geometries(sum.get()) != 1) {
       throw std::runtime_error("not one polygon");
     }
-    return to_doubles(sfcgal_geometry_collection_geometry_n(sum.get(), 0));
+    return sfcgal_ring(
+        sfcgal_polygon_exterior_ring(sfcgal_geometry_collection_geometry_n(sum.get(), 0)));
   }};
 }
 

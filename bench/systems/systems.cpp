@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "system.hpp"
@@ -16,16 +14,6 @@ Prepare on_29_bits(OnGrid job) {
 }
 
 }  // namespace
-
-double cells_per_unit(const Ring& a, const Ring& b, int bits) {
-  double size = 0;
-  for (const Ring* ring : {&a, &b}) {
-    for (const Point& p : *ring) {
-      size = std::max({size, std::abs(p.x), std::abs(p.y)});
-    }
-  }
-  return std::ldexp(1, bits - 2 - std::ilogb(size));
-}
 
 std::vector<System> systems() {
   constexpr double any = std::numeric_limits<double>::infinity();
