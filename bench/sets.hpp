@@ -42,7 +42,7 @@ Set lost_holes(const std::filesystem::path& directory);
 
 // Pairs of random polygons of 3 to 12 vertices on small integer grids.
 Set random_small_pairs(int count);
-// So many sums of polygons without holes from each family of regions that has such.
+// From each family of regions so many sums with a hole or an exact fit of polygons without holes.
 Set region_ties(int of_each_family);
 
 // The pairs of the report on accuracy: the real ones only where the data is.

@@ -124,7 +124,8 @@ Set reflected(Set set) {
 }
 
 std::vector<Set> answer_sets(bool quick) {
-  std::vector<Set> sets{region_ties(quick ? 3 : 30)};
+  std::vector<Set> sets{region_ties(quick ? 3 : 30),
+                        {.name = "turned slots", .pairs = rotated_slots(quick ? 10 : 100)}};
   if (const auto directory = test::data_directory()) {
     sets.push_back(lost_holes(*directory));
     Set real{.name = "real pairs"};

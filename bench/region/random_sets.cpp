@@ -5,6 +5,7 @@
 #include "generators.hpp"
 #include "region_families.hpp"
 #include "sets.hpp"
+#include "systems/whole.hpp"
 
 namespace gcv::bench {
 
@@ -33,7 +34,11 @@ Set region_ties(int of_each_family) {
     int found = 0;
     for (int k = 0; k < most_tries && found < of_each_family; ++k) {
       const test::RegionCase drawn = family.next_case(random);
-      if (!drawn.inner_fit && drawn.a.size() == 1 && drawn.b.size() == 1) {
+      if (drawn.inner_fit || drawn.a.size() != 1 || drawn.b.size() != 1) {
+        continue;
+      }
+      const RegionSize size = libgcv_region_size(tidy(drawn.a.front()), tidy(drawn.b.front()));
+      if (size.holes + size.fits > 0) {
         set.pairs.push_back({std::string(family.name) + " " + std::to_string(k),
                              [a = drawn.a.front(), b = drawn.b.front()] {
                                return Rings{a, b};

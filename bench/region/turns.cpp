@@ -9,7 +9,7 @@ namespace gcv::bench {
 
 namespace {
 
-constexpr double batch_seconds = 0.0005;
+constexpr double batch_seconds = 0.002;
 constexpr double long_round_seconds = 0.5;
 constexpr std::size_t fewest_rounds = 3;
 constexpr std::size_t most_rounds = 101;
