@@ -278,6 +278,105 @@ static void regions(void) {
   gcv_polygon_destroy(small);
 }
 
+enum { WORKERS = 4, REGION_PAIRS = 6, PLACES = 400, MOST_WKT = 1 << 16 };
+
+/* What threads share that compute regions and locate points at the same time. */
+static gcv_polygon *fixed, *moving;
+static gcv_region *shared_region;
+static double places_xy[2 * PLACES];
+static int8_t places[PLACES];
+static char shared_wkt[MOST_WKT];
+
+static void region_with_threads(int32_t threads) {
+  struct reports reports;
+  gcv_options options = reporting(&reports, 0, threads);
+  const double origin[2] = {0, 0};
+  gcv_region *region = NULL, *none = NULL;
+  char *const wkt = malloc(MOST_WKT);
+  size_t required;
+  CHECK_OK(gcv_no_fit_region(fixed, moving, origin, &options, &region));
+  CHECK(reports.count >= 2 && !reports.wrong);
+  CHECK_OK(gcv_region_wkt(region, wkt, MOST_WKT, &required));
+  CHECK(strcmp(wkt, shared_wkt) == 0);
+  options = reporting(&reports, 2, threads);
+  CHECK_REFUSED(GCV_ERR_CANCELLED, "progress",
+                gcv_no_fit_region(fixed, moving, origin, &options, &none));
+  CHECK(none == NULL && reports.count == 2 && !reports.wrong);
+  gcv_region_destroy(region);
+  free(wkt);
+}
+
+static void many_regions_with_threads(int32_t threads) {
+  struct reports reports;
+  gcv_options options = reporting(&reports, 0, threads);
+  const gcv_polygon *a[REGION_PAIRS], *b[REGION_PAIRS];
+  double references[2 * REGION_PAIRS] = {0};
+  gcv_region *out[REGION_PAIRS] = {NULL};
+  gcv_status statuses[REGION_PAIRS];
+  char *const wkt = malloc(MOST_WKT);
+  size_t k, required;
+  for (k = 0; k < REGION_PAIRS; ++k) {
+    a[k] = fixed;
+    b[k] = moving;
+    statuses[k] = -1;
+  }
+  CHECK_OK(gcv_no_fit_region_many(a, b, references, REGION_PAIRS, &options, out, statuses));
+  CHECK(reports.count >= 2 && !reports.wrong);
+  for (k = 0; k < REGION_PAIRS; ++k) {
+    if (!CHECK(statuses[k] == GCV_OK)) continue;
+    CHECK_OK(gcv_region_wkt(out[k], wkt, MOST_WKT, &required));
+    CHECK(strcmp(wkt, shared_wkt) == 0);
+    gcv_region_destroy(out[k]);
+    out[k] = NULL;
+    statuses[k] = -1;
+  }
+  options = reporting(&reports, 2, threads);
+  CHECK_REFUSED(GCV_ERR_CANCELLED, "progress",
+                gcv_no_fit_region_many(a, b, references, REGION_PAIRS, &options, out, statuses));
+  CHECK(reports.count == 2 && !reports.wrong);
+  for (k = 0; k < REGION_PAIRS; ++k) CHECK(out[k] == NULL && statuses[k] == -1);
+  free(wkt);
+}
+
+static void *compute_and_locate(void *argument) {
+  const int32_t threads = *(const int32_t *)argument;
+  int8_t found[PLACES] = {0};
+  CHECK_OK(gcv_region_locate(shared_region, places_xy, PLACES, found));
+  CHECK(memcmp(found, places, sizeof found) == 0);
+  region_with_threads(threads);
+  many_regions_with_threads(threads);
+  return NULL;
+}
+
+/* Several threads, each of which computes with several of its own. All locate points in one
+ * region, and are the first to do so. */
+static void regions_at_the_same_time(void) {
+  const double origin[2] = {0, 0};
+  int32_t threads[WORKERS] = {1, 2, 3, 0};
+  pthread_t workers[WORKERS];
+  gcv_region *other = NULL;
+  size_t required;
+  int k;
+  fixed = star(40, 21);
+  moving = star(6, 22);
+  CHECK_OK(gcv_no_fit_region(fixed, moving, origin, NULL, &shared_region));
+  CHECK_OK(gcv_no_fit_region(fixed, moving, origin, NULL, &other));
+  CHECK_OK(gcv_region_wkt(other, shared_wkt, MOST_WKT, &required));
+  for (k = 0; k < PLACES; ++k) {
+    places_xy[2 * k] = -2200 + 11 * k;
+    places_xy[2 * k + 1] = k % 7 * 100;
+  }
+  CHECK_OK(gcv_region_locate(other, places_xy, PLACES, places));
+  for (k = 0; k < WORKERS; ++k) {
+    if (!CHECK(pthread_create(&workers[k], NULL, compute_and_locate, &threads[k]) == 0)) exit(1);
+  }
+  for (k = 0; k < WORKERS; ++k) CHECK(pthread_join(workers[k], NULL) == 0);
+  gcv_region_destroy(other);
+  gcv_region_destroy(shared_region);
+  gcv_polygon_destroy(fixed);
+  gcv_polygon_destroy(moving);
+}
+
 /* What programs have that were compiled when the struct had no more fields. */
 static void first_options(void) {
   struct {
@@ -313,6 +412,7 @@ int main(void) {
   progress_is_reported();
   many();
   regions();
+  regions_at_the_same_time();
   first_options();
   return check_failures != 0;
 }

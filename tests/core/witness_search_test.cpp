@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Witnesses along superset edges: what they hold lies in the open sum, in fractions; and no pair of
+// edges near a place is missing, in a loop over all of them.
+#include "witness_search.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "exact_pieces.hpp"
+#include "exact_rings.hpp"
+#include "generators.hpp"
+#include "tree_product.hpp"
+
+namespace gcv {
+namespace {
+
+using invariants::Exact;
+using invariants::Rational;
+using test::Random;
+
+// Two polygons of small integers: relative coordinates of their sums are exact in doubles.
+struct Example {
+  Boundary a;
+  Boundary b;
+  Tally tally = {};
+  Operands operands{a, b, merge_directions(a, b, tally)};
+  invariants::Ring fixed = test::exact(a.vertices);
+  invariants::Ring other = test::exact(b.vertices);
+
+  // The point of the line with that parameter.
+  [[nodiscard]] static Exact at(const RelativeLine& line, double t) {
+    return test::exact(line.origin) + Rational(t) * Exact{Rational(line.dx), Rational(line.dy)};
+  }
+  // Do the interiors of A and x - B meet? x is in relative coordinates.
+  [[nodiscard]] bool covers(const Exact& x) const {
+    const Exact place = x + fixed.front() + other.front();
+    invariants::Ring reflected;
+    for (const Exact& p : other) {
+      reflected.push_back(place - p);
+    }
+    return invariants::interiors_overlap(fixed, reflected);
+  }
+  // Does the sum of edge i of A and edge j of B hold the point?
+  [[nodiscard]] bool holds(Index i, Index j, const Exact& x) const {
+    const Exact p = test::exact(operands.relative(i, j));
+    const Exact u = test::exact(operands.relative(a.next(i), j)) - p;
+    const Exact v = test::exact(operands.relative(i, b.next(j))) - p;
+    const Exact w = x - p;
+    const Rational turn = invariants::cross(u, v);
+    if (turn == 0) {
+      return invariants::on_segment(std::min({p, p + u, p + v, p + u + v}),
+                                    std::max({p, p + u, p + v, p + u + v}), x);
+    }
+    const Rational s = invariants::cross(w, v) / turn;
+    const Rational t = invariants::cross(u, w) / turn;
+    return s >= 0 && s <= 1 && t >= 0 && t <= 1;
+  }
+  [[nodiscard]] RelativeLine line(const PairEdge& e) const {
+    const auto [from, to] = operands.source(e);
+    return {operands.relative_start(e), to.x - from.x, to.y - from.y};
+  }
+  [[nodiscard]] std::vector<PairEdge> contributing_edges() const {
+    std::vector<PairEdge> edges;
+    for (Index i = 0; i < a.size(); ++i) {
+      for (Index j = 0; j < b.size(); ++j) {
+        const PairEdge translated = operands.translated(i, j);
+        const PairEdge corner = operands.corner(i, j);
+        if (operands.b_contributes(j, translated.rank)) {
+          edges.push_back(translated);
+        }
+        if (operands.a_contributes(i, corner.rank)) {
+          edges.push_back(corner);
+        }
+      }
+    }
+    return edges;
+  }
+};
+
+Example random_example(Random& random, int k) {
+  const auto polygon = [&](int n) {
+    return make_ring(k % 3 == 0   ? test::random_histogram(random, n, 4)
+                     : k % 3 == 1 ? test::random_small_integer_polygon(random, n, 6)
+                                  : test::random_small_integer_polygon(random, n, 30),
+                     "polygon");
+  };
+  return {polygon(4 + k % 9), polygon(3 + k % 6)};
+}
+
+TEST(WitnessSearch, ReachesOnlyWhatLiesInTheOpenSum) {
+  Random random(361);
+  std::size_t reached = 0;
+  for (int k = 0; k < 24; ++k) {
+    const Example example = random_example(random, k);
+    WitnessSearch search(example.operands);
+    for (const PairEdge& edge : example.contributing_edges()) {
+      const RelativeLine line = example.line(edge);
+      search.begin(line);
+      for (double t = 0; t < 1;) {
+        const double end = search.reach(t);
+        ASSERT_GE(end, t);
+        ASSERT_LE(end, 1);
+        if (end > t) {
+          ++reached;
+          for (const double part : {0.0, 0.375, 1.0}) {
+            ASSERT_TRUE(example.covers(Example::at(line, t + part * (end - t))));
+          }
+        }
+        t = end + 0.125;
+      }
+    }
+  }
+  EXPECT_GT(reached, 500U);
+}
+
+TEST(WitnessSearch, MissesNoPairOfEdges) {
+  Random random(362);
+  std::size_t found = 0;
+  for (int k = 0; k < 6; ++k) {
+    const Example example = random_example(random, k);
+    WitnessSearch search(example.operands);
+    for (const PairEdge& edge : example.contributing_edges()) {
+      const RelativeLine line = example.line(edge);
+      search.begin(line);
+      for (double from = 0, to = 0; to < 1; from = std::min(to + 0.125, 1.0)) {
+        from = search.reach(from);
+        to = std::min(from + 0.125 * test::uniform(random, 0, 4), 1.0);
+        std::set<std::pair<Index, Index>> near;
+        for (const WitnessSearch::Pair& pair : search.pairs_near(from, to)) {
+          near.emplace(pair.i, pair.j);
+        }
+        ASSERT_EQ(search.pairs().size(), near.size());
+        for (Index i = 0; i < example.a.size(); ++i) {
+          for (Index j = 0; j < example.b.size(); ++j) {
+            const bool is_near = example.holds(i, j, Example::at(line, from)) ||
+                                 example.holds(i, j, Example::at(line, to)) ||
+                                 example.holds(i, j, Example::at(line, (from + to) / 2));
+            ASSERT_TRUE(!is_near || near.count({i, j}) != 0);
+            found += is_near ? 1U : 0U;
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 1000U);
+}
+
+TEST(WitnessSearch, PassesOverCoveredEdgesAlone) {
+  Random random(363);
+  std::size_t visited_edges = 0;
+  std::size_t passed_over = 0;
+  for (int k = 0; k < 24; ++k) {
+    const Example example = random_example(random, k);
+    const Directions& directions = example.operands.directions;
+    const std::vector<PairEdge> edges = example.contributing_edges();
+    WitnessSearch search(example.operands);
+    for (const PairEdge& edge : edges) {  // what is found on the way may be passed over later
+      search.begin(example.line(edge));
+      for (double t = 0; t < 1; t = search.reach(t) + 0.25) {
+      }
+    }
+    const auto first = static_cast<Rank>(k) % (2 * directions.half_turn);
+    std::set<std::tuple<PairEdge::Kind, Index, Index>> visited;
+    search.for_each_uncovered_edge(first, [&](const PairEdge& e) {
+      ASSERT_LT(directions.angle(first, e.rank), directions.half_turn);
+      ASSERT_TRUE(visited.insert({e.kind, e.i, e.j}).second);
+    });
+    visited_edges += visited.size();
+    std::size_t known = 0;
+    for (const PairEdge& e : edges) {
+      if (visited.count({e.kind, e.i, e.j}) != 0) {
+        ++known;
+      } else if (directions.angle(first, e.rank) < directions.half_turn) {
+        ++passed_over;
+        for (const double t : {0.0, 0.375, 1.0}) {
+          ASSERT_TRUE(example.covers(Example::at(example.line(e), t)));
+        }
+      }
+    }
+    ASSERT_EQ(known, visited.size());
+  }
+  EXPECT_GT(visited_edges, 200U);
+  EXPECT_GT(passed_over, 10U);
+}
+
+}  // namespace
+}  // namespace gcv
