@@ -79,6 +79,10 @@ class Builder {
     return furthest;
   }
 
+  [[nodiscard]] bool is_chain(const Range& range) const {
+    return layout_.ring_of(range.first) == layout_.ring_of(range.last - 1);
+  }
+
   // Where to split a range of at least two edges: between rings, or in a vertex of one.
   [[nodiscard]] Index middle(const Range& range) const {
     const Index first_ring = layout_.ring_of(range.first);
@@ -88,7 +92,8 @@ class Builder {
   }
 
   void put(std::uint32_t block, std::uint32_t lane, const Range& range) {
-    const bool is_chain = layout_.ring_of(range.first) == layout_.ring_of(range.last - 1);
+    const bool is_one_chain = is_chain(range);
+    const Furthest of_chain = is_one_chain && range.size() > 1 ? furthest(range) : Furthest{};
     const std::span<const Point> points = chain_.ends(range.first, range.size());
     const Box box = box_of(points);
     {
@@ -98,10 +103,10 @@ class Builder {
       in.y0[lane] = points.front().y;
       in.x1[lane] = points.back().x;
       in.y1[lane] = points.back().y;
-      in.radius[lane] = is_chain ? furthest(range).distance : infinity;
-      in.length[lane] = is_chain ? length_bound(points.back().x - points.front().x,
-                                                points.back().y - points.front().y)
-                                 : 0;
+      in.radius[lane] = is_one_chain ? of_chain.distance : infinity;
+      in.length[lane] = is_one_chain ? length_bound(points.back().x - points.front().x,
+                                                    points.back().y - points.front().y)
+                                     : 0;
       const double extent = (box.x1 - box.x0) + (box.y1 - box.y0);
       if (range.size() == 1) {
         in.extent[lane] = -1;
@@ -114,12 +119,12 @@ class Builder {
       in.below[lane] = range.first;
     }
     if (range.size() > 1) {
-      split(block, lane, range);
+      split(block, lane, range, is_one_chain ? of_chain.point : middle(range));
     }
   }
 
-  // Makes up to four children.
-  void split(std::uint32_t block, std::uint32_t lane, const Range& range) {
+  // Makes up to four children, two on each side of the cut.
+  void split(std::uint32_t block, std::uint32_t lane, const Range& range, Index cut) {
     const auto below = static_cast<std::uint32_t>(tree_.blocks.size());
     tree_.blocks[block].below[lane] = below;
     add_block();
@@ -129,11 +134,10 @@ class Builder {
         put(below, child++, half);
         return;
       }
-      const Index cut = middle(half);
-      put(below, child++, {half.first, cut});
-      put(below, child++, {cut, half.last});
+      const Index point = middle(half);
+      put(below, child++, {half.first, point});
+      put(below, child++, {point, half.last});
     };
-    const Index cut = middle(range);
     put_half({range.first, cut});
     put_half({cut, range.last});
   }

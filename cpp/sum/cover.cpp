@@ -186,16 +186,16 @@ std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const Rel
 }
 
 const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const RelativeLine& line,
-                                          const std::vector<Run>& runs, const Place& place) const {
-  if (runs.empty()) {
+                                          const Place& place) const {
+  if (runs_.empty()) {
     return nullptr;
   }
   const Interval here = parameters_of(line, place);
-  const auto run = std::find_if(runs.begin(), runs.end(), [&](const Run& r) {
+  const auto run = std::find_if(runs_.begin(), runs_.end(), [&](const Run& r) {
     return !(r.parameters.lo > here.hi) && !(r.parameters.hi < here.lo) &&
            places.compare(r.from, place) <= 0 && places.compare(place, r.to) < 0;
   });
-  return run == runs.end() ? nullptr : &*run;
+  return run == runs_.end() ? nullptr : &*run;
 }
 
 bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const VertexSum& sum) const {

@@ -32,7 +32,7 @@ namespace gcv {
 enum class Solids : std::uint8_t { one, several };
 
 // Walks along superset edges. Takes what it finds to a visitor:
-//   known_runs(places): where rings that are known pass along s;
+//   known_runs(places, runs): adds where rings that are known pass along s;
 //   ring(places, from): a ring passes along s from that place on: returns where it leaves s;
 //   segment(places, from, to): s runs along F, with O on both sides;
 //   point(places, place): an isolated point of F.
@@ -69,16 +69,17 @@ class EdgeCover {
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
     search_.begin(line);
     std::optional<Place> segment;  // where one has begun
-    std::vector<Run> runs = visitor.known_runs(places);
-    for (Run& run : runs) {
+    runs_.clear();
+    visitor.known_runs(places, runs_);
+    for (Run& run : runs_) {
       run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
     }
     std::optional<Place> place = places.start();
-    if (find_run(places, line, runs, *place) == nullptr) {
+    if (find_run(places, line, *place) == nullptr) {
       place = skip(places, line, 0, *place);
     }
     while (place) {
-      if (const Run* const run = find_run(places, line, runs, *place)) {
+      if (const Run* const run = find_run(places, line, *place)) {
         if (segment) {
           visitor.segment(places, *segment, *place);
           segment.reset();
@@ -158,7 +159,7 @@ class EdgeCover {
                                     const Place& from, const Place& to);
   // The run that passes along s from the place on, or nullptr.
   [[nodiscard]] const Run* find_run(const PlacesOnLine& places, const RelativeLine& line,
-                                    const std::vector<Run>& runs, const Place& place) const;
+                                    const Place& place) const;
   // Goes on from t on s, from witness to witness. Nothing if they reach the end of s. Else a place
   // beyond t, up to which s is covered; `start` if there is none.
   std::optional<Place> skip(const PlacesOnLine& places, const RelativeLine& line, double from,
@@ -216,6 +217,7 @@ class EdgeCover {
   Cones cones_;
   Tally& tally_;
   WitnessSearch search_;
+  std::vector<Run> runs_;  // of the edge that is walked
 };
 
 }  // namespace gcv

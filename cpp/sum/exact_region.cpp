@@ -25,7 +25,11 @@ namespace {
 class Finder {
  public:
   Finder(const Operands& operands, Task& task, Tally& tally)
-      : operands_(operands), task_(task), known_(operands, tally), fits_(operands, tally) {}
+      : operands_(operands),
+        task_(task),
+        runs_(operands, tally),
+        known_(operands, tally),
+        fits_(operands, tally) {}
 
   // A ring that lives as long as this.
   void add_outer(const std::vector<RingVertex>& ring) {
@@ -33,13 +37,11 @@ class Finder {
     outer_ = &ring;
   }
 
-  [[nodiscard]] std::vector<EdgeCover::Run> known_runs(const PlacesOnLine& places) const {
-    std::vector<EdgeCover::Run> runs;
+  void known_runs(const PlacesOnLine& places, std::vector<EdgeCover::Run>& runs) const {
     runs_.for_each(places.line().edge, [&](const KnownRuns::Run& run) {
       runs.push_back(
           {places.place(run.from, run.from.arriving()), places.place(run.to, run.to.leaving())});
     });
-    return runs;
   }
 
   Place ring(const PlacesOnLine& places, const Place& from) {
@@ -51,7 +53,7 @@ class Finder {
       walker_.emplace(operands_, Search(*superset_), superset_->slack(), task_);
     }
     auto ring = walker_->ring(from, places.line().edge,
-                             [&](const RingVertex& vertex) { return known_.has(vertex); });
+                              [&](const RingVertex& vertex) { return known_.has(vertex); });
     if (ring.walk) {
       steps_ += ring.walk->steps;
       candidates_ = ring.walk->candidates;  // of all rings so far

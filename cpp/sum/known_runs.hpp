@@ -8,13 +8,21 @@
 
 #include "contributing_vertices.hpp"
 #include "exact_ring.hpp"
+#include "predicates.hpp"
+#include "tally.hpp"
 
 namespace gcv {
 
-// The edges of rings that are known, by the names of the superset edges that they lie on. A hash
-// table with linear probing.
+// The edges of rings that are known. Found by the names of the superset edges that they lie on, in
+// a hash table with linear probing. Where several edges have one direction, an edge can lie on the
+// line of a run that has no name of it: if the direction has few runs, they are found by that.
 class KnownRuns {
  public:
+  KnownRuns(const Operands& operands, Tally& tally)
+      : operands_(operands),
+        tally_(tally),
+        directions_(2 * std::size_t{operands.directions.half_turn}) {}
+
   // From one vertex to the next, along superset edges on one line.
   struct Run {
     RingVertex from;
@@ -22,36 +30,51 @@ class KnownRuns {
   };
 
   void add(const std::vector<RingVertex>& ring) {
-    reserve(runs_.size() + 2 * ring.size());
+    reserve(runs_.size() + ring.size());
     for (std::size_t k = 0; k < ring.size(); ++k) {
+      const auto number = static_cast<std::uint32_t>(runs_.size());
       const Run run{ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]};
-      const EdgeName first = run.from.leaving();
-      const EdgeName last = run.to.arriving();
-      add(first, run);
-      if (!are_equal(first, last)) {
-        add(last, run);
-      }
+      Direction& direction = directions_[operands_.named(run.from.leaving()).rank];
+      runs_.push_back({run, none, direction.last});
+      direction.last = number;
+      ++direction.runs;
+      insert(number);
     }
   }
 
-  // Calls visit(run) for the runs of which the edge with that name is the first or the last one.
+  // Calls visit(run) for the runs along the edge: all of them, or those that begin by its name.
   template <class Visit>
-  void for_each(const EdgeName& edge, Visit visit) const {
-    if (slots_.empty()) {
-      return;
-    }
-    for (std::uint32_t k = slots_[slot_of(edge)]; k != none; k = runs_[k].next) {
-      visit(runs_[k].run);
+  void for_each(const PairEdge& edge, Visit visit) const {
+    const Direction& direction = directions_[edge.rank];
+    if (direction.runs <= few) {
+      const SumEdge line = coordinates(operands_.a, operands_.b, edge);
+      for (std::uint32_t k = direction.last; k != none; k = runs_[k].before) {
+        const Run& run = runs_[k].run;
+        const EdgeName other = run.from.leaving();
+        if (are_equal(other, edge) || are_equal(run.to.arriving(), edge) ||
+            side(line, operands_.start(other), tally_) == 0) {
+          visit(run);
+        }
+      }
+    } else if (!slots_.empty()) {
+      for (std::uint32_t k = slots_[slot_of(edge)]; k != none; k = runs_[k].next) {
+        visit(runs_[k].run);
+      }
     }
   }
 
  private:
   static constexpr std::uint32_t none = 0xffffffff;
+  static constexpr std::uint32_t few = 16;
 
   struct Entry {
-    EdgeName edge;
     Run run;
-    std::uint32_t next;  // of the same edge
+    std::uint32_t next;    // of the same edge
+    std::uint32_t before;  // in the same direction
+  };
+  struct Direction {
+    std::uint32_t runs = 0;
+    std::uint32_t last = none;
   };
 
   static bool are_equal(const EdgeName& e, const EdgeName& f) {
@@ -63,17 +86,13 @@ class KnownRuns {
     std::uint64_t hash = (std::uint64_t{edge.i} << 32U | edge.j) * 0x9e3779b97f4a7c15U + edge.kind;
     hash ^= hash >> 32U;
     std::size_t slot = hash & (slots_.size() - 1);
-    while (slots_[slot] != none && !are_equal(runs_[slots_[slot]].edge, edge)) {
+    while (slots_[slot] != none && !are_equal(runs_[slots_[slot]].run.from.leaving(), edge)) {
       slot = (slot + 1) & (slots_.size() - 1);
     }
     return slot;
   }
-  void add(const EdgeName& edge, const Run& run) {
-    runs_.push_back({edge, run, none});
-    insert(static_cast<std::uint32_t>(runs_.size() - 1));
-  }
   void insert(std::uint32_t k) {
-    std::uint32_t& slot = slots_[slot_of(runs_[k].edge)];
+    std::uint32_t& slot = slots_[slot_of(runs_[k].run.from.leaving())];
     runs_[k].next = slot;
     slot = k;
   }
@@ -92,6 +111,9 @@ class KnownRuns {
     }
   }
 
+  const Operands& operands_;
+  Tally& tally_;
+  std::vector<Direction> directions_;  // by rank
   std::vector<Entry> runs_;
   std::vector<std::uint32_t> slots_;
 };
