@@ -66,6 +66,20 @@ struct Witness {
     double most;
   };
 
+  // Does it hold the box?
+  [[nodiscard]] bool holds(const Box& box) const {
+    const auto is_in = [&](const Strip& s) {
+      const double x0 = box.x0 - corner.x;
+      const double x1 = box.x1 - corner.x;
+      const double y0 = box.y0 - corner.y;
+      const double y1 = box.y1 - corner.y;
+      const double low = s.p * (s.p > 0 ? x0 : x1) - s.q * (s.q > 0 ? y1 : y0);
+      const double high = s.p * (s.p > 0 ? x1 : x0) - s.q * (s.q > 0 ? y0 : y1);
+      return low > s.least && high < s.most;
+    };
+    return is_in(strips[0]) && is_in(strips[1]);
+  }
+
   Point corner;
   Strip strips[2]{};  // none of it is empty if least < most for both
   Box bounds{};       // of the whole sum of the chords

@@ -140,7 +140,8 @@ double WitnessSearch::met_reach(double t, double least) {
     covers_.pop_back();
     if (cover.covered.to >= least && cover.covered.to > end) {
       end = std::min(cover.covered.to, 1.0);
-      cells_.add(witness(cover.nodes));
+      last_ = witness(cover.nodes);
+      cells_.add(*last_);
     }
   }
   return end;
@@ -235,7 +236,7 @@ bool WitnessSearch::is_covered(const Nodes& nodes) const {
   const Box a = a_.block_of(nodes.a).boxes.box(ChordTree::lane_of(nodes.a));
   const Box b = b_.block_of(nodes.b).boxes.box(ChordTree::lane_of(nodes.b));
   const Box box{a.x0 + b.x0, a.y0 + b.y0, a.x1 + b.x1, a.y1 + b.y1};
-  return cells_.hold(box);
+  return (last_ && last_->holds(box)) || cells_.hold(box);
 }
 
 // Sector numbers grow with ranks, so a rank in the range lies in one of them.

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "chord_tree.hpp"
@@ -113,7 +114,7 @@ class WitnessSearch {
 
   // How far the witnesses that were met reach from t; t if none reaches `least`.
   double met_reach(double t, double least);
-  // Do covered cells hold the sum of the nodes?
+  // Do covered cells hold the sum of the nodes, or does the last witness?
   [[nodiscard]] bool is_covered(const Nodes& nodes) const;
 
   // The directions of edges and cones below a node, as sets of up to 64 sectors of ranks.
@@ -142,6 +143,7 @@ class WitnessSearch {
   std::vector<Pair> pairs_;
 
   CoveredCells cells_;
+  std::optional<Witness> last_;  // that was found
 };
 
 template <class Visit>
