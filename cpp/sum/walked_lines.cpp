@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "walked_lines.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "predicates.hpp"
 #include "vector.hpp"
@@ -28,11 +30,6 @@ std::int64_t WalkedLines::place_of(const PairEdge& s) const {
   return std::abs(place) < 0x1p62 ? static_cast<std::int64_t>(place) : 0;
 }
 
-bool WalkedLines::is_on_line(const PairEdge& s, const PairEdge& line) {
-  return s.rank == line.rank &&
-         side(coordinates(operands_.a, operands_.b, line), operands_.start(s), tally_) == 0;
-}
-
 int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q) {
   if (p == q) {
     return 0;
@@ -50,45 +47,57 @@ int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const Vert
   return from.y < to.y ? order : -order;
 }
 
-// Extends the first part that overlaps the given one. False if there is none on its line.
-bool WalkedLines::extend(std::vector<Part>& parts, const Part& part, bool& is_held) {
-  for (Part& other : parts) {
-    if (!is_on_line(part.edge, other.edge) || compare_along(part.edge, other.to, part.from) > 0 ||
-        compare_along(part.edge, part.to, other.from) > 0) {
+std::uint64_t WalkedLines::key(const PairEdge& s, std::int64_t place) {
+  return static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15U + s.rank;
+}
+
+WalkedLines::Line* WalkedLines::line_of(const PairEdge& s) {
+  const std::int64_t place = place_of(s);
+  for (const std::int64_t near : {place, place - 1, place + 1}) {
+    const auto lines = lines_.find(key(s, near));
+    if (lines == lines_.end()) {
       continue;
     }
-    const bool begins_before = compare_along(part.edge, part.from, other.from) > 0;
-    const bool ends_behind = compare_along(part.edge, other.to, part.to) > 0;
-    is_held = !begins_before && !ends_behind;
-    if (begins_before) {
-      other.from = part.from;
+    for (Line& line : lines->second) {
+      if (line.edge.rank == s.rank &&
+          side(coordinates(operands_.a, operands_.b, line.edge), operands_.start(s), tally_) == 0) {
+        return &line;
+      }
     }
-    if (ends_behind) {
-      other.to = part.to;
-    }
-    return true;
   }
-  return false;
+  return nullptr;
 }
 
 bool WalkedLines::hold(const PairEdge& s) {
   if (edges_of_rank_[s.rank] == 1) {
     return false;
   }
-  const Part part{s, start_of(s), end_of(operands_, s)};
-  const std::int64_t place = place_of(s);
-  const auto key = [&](std::int64_t p) {
-    return static_cast<std::uint64_t>(p) * 0x9e3779b97f4a7c15U + s.rank;
-  };
-  bool is_held = false;
-  for (const std::int64_t near : {place, place - 1, place + 1}) {
-    const auto parts = parts_.find(key(near));
-    if (parts != parts_.end() && extend(parts->second, part, is_held)) {
-      return is_held;
-    }
+  const Part part{start_of(s), end_of(operands_, s)};
+  Line* const line = line_of(s);
+  if (line == nullptr) {
+    lines_[key(s, place_of(s))].push_back({s, {part}});
+    return false;
   }
-  parts_[key(place)].push_back(part);
-  return false;
+  // Those that end before it begins, and then those that begin before it ends.
+  std::vector<Part>& parts = line->parts;
+  const auto first = std::partition_point(parts.begin(), parts.end(), [&](const Part& other) {
+    return compare_along(s, other.to, part.from) > 0;
+  });
+  const auto last = std::partition_point(first, parts.end(), [&](const Part& other) {
+    return compare_along(s, other.from, part.to) >= 0;
+  });
+  if (first == last) {
+    parts.insert(first, part);
+    return false;
+  }
+  const Part& one = *first;
+  const Part& other = *std::prev(last);
+  const bool begins_before = compare_along(s, part.from, one.from) > 0;
+  const bool ends_behind = compare_along(s, other.to, part.to) > 0;
+  const bool is_held = std::next(first) == last && !begins_before && !ends_behind;
+  *first = {begins_before ? part.from : one.from, ends_behind ? part.to : other.to};
+  parts.erase(std::next(first), last);
+  return is_held;
 }
 
 }  // namespace gcv

@@ -25,24 +25,28 @@ class WalkedLines {
  private:
   // A part of a line from one sum of vertices to another.
   struct Part {
-    PairEdge edge;
     VertexSum from;
     VertexSum to;
+  };
+  struct Line {
+    PairEdge edge;            // that lies on it
+    std::vector<Part> parts;  // in order, apart from one another
   };
 
   // The place of the line of the edge, in units of several times the slack; the same for all edges
   // on it, or next to that.
   [[nodiscard]] std::int64_t place_of(const PairEdge& s) const;
-  bool is_on_line(const PairEdge& s, const PairEdge& line);
+  static std::uint64_t key(const PairEdge& s, std::int64_t place);
+  // Null if nothing on it was walked.
+  Line* line_of(const PairEdge& s);
   // The sign of the way from p to q along the edge.
   int compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q);
-  bool extend(std::vector<Part>& parts, const Part& part, bool& is_held);
 
   const Operands& operands_;
   double unit_;
   Tally& tally_;
   std::vector<std::uint32_t> edges_of_rank_;
-  std::unordered_map<std::uint64_t, std::vector<Part>> parts_;
+  std::unordered_map<std::uint64_t, std::vector<Line>> lines_;
 };
 
 }  // namespace gcv
