@@ -7,6 +7,7 @@
 
 #include "exact_coordinates.hpp"
 #include "exact_numbers.hpp"
+#include "predicates.hpp"
 #include "rounding.hpp"
 #include "vector.hpp"
 
@@ -59,21 +60,48 @@ ExactOrder::Placed ExactOrder::placed(const RingVertex& vertex) const {
   return {vertex, rounded_vertex(a_, b_, vertex, shift_, tally_)};
 }
 
-int ExactOrder::compare(const Placed& p, const Placed& q) const {
-  const auto exact = [&](const Placed& v) { return ExactVertex(a_, b_, v.vertex, shift_); };
-  const auto by_fractions = [&](auto coordinate) {
-    ++tally_.rational;
-    return gcv::compare(coordinate(exact(p)), coordinate(exact(q)));
+// x or y, if it is a sum of two doubles: that of a sum of vertices, x of a crossing with an upright
+// edge, y of one with a level edge.
+std::optional<ExactOrder::Sum> ExactOrder::sum_of(const RingVertex& v, double Point::*axis) const {
+  if (!(shift_ == Point{0, 0})) {
+    return std::nullopt;
+  }
+  if (v.is_sum()) {
+    return Sum{a_.vertices[v.i()].*axis, b_.vertices[v.j()].*axis};
+  }
+  for (const EdgeName& edge : {v.arriving(), v.leaving()}) {
+    const SumEdge line = coordinates(a_, b_, edge);
+    if (line.from.*axis == line.to.*axis) {
+      return Sum{line.origin.a.*axis, line.origin.b.*axis};
+    }
+  }
+  return std::nullopt;
+}
+
+int ExactOrder::compare_exactly(const Placed& p, const Placed& q, double Point::*axis) const {
+  const std::optional<Sum> x = sum_of(p.vertex, axis);
+  const std::optional<Sum> y = x ? sum_of(q.vertex, axis) : std::nullopt;
+  if (y) {
+    return compare_sums(x->a, x->b, y->a, y->b, tally_);
+  }
+  ++tally_.rational;
+  const auto fraction_of = [&](const Placed& v) {
+    const ExactVertex exact(a_, b_, v.vertex, shift_);
+    return axis == &Point::x ? x_of(exact) : y_of(exact);
   };
+  return gcv::compare(fraction_of(p), fraction_of(q));
+}
+
+int ExactOrder::compare(const Placed& p, const Placed& q) const {
   std::optional<int> order = gcv::compare(p.nearest.x, q.nearest.x);
   if (!order) {
-    order = by_fractions(x_of);
+    order = compare_exactly(p, q, &Point::x);
   }
   if (*order != 0) {
     return *order;
   }
   order = gcv::compare(p.nearest.y, q.nearest.y);
-  return order ? *order : by_fractions(y_of);
+  return order ? *order : compare_exactly(p, q, &Point::y);
 }
 
 int ExactOrder::compare(const Placed& p, const Point& q) const {

@@ -3,6 +3,7 @@
 // The exact lexicographic order of the vertices of a sum.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "box.hpp"
@@ -40,6 +41,13 @@ class ExactOrder {
   void sort(std::vector<std::vector<RingVertex>>& rings) const;
 
  private:
+  struct Sum {
+    double a;
+    double b;
+  };
+  [[nodiscard]] std::optional<Sum> sum_of(const RingVertex& v, double Point::*axis) const;
+  [[nodiscard]] int compare_exactly(const Placed& p, const Placed& q, double Point::*axis) const;
+
   const Boundary& a_;
   const Boundary& b_;
   Point shift_;
