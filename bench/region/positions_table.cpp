@@ -82,13 +82,13 @@ void print_row(const Pair& pair) {
       Timed result;
       std::memcpy(&result, outcome.bytes.data(), sizeof result);
       places.push_back({placement.name, result});
-    } else if (outcome.failure.find("touch") == std::string::npos &&
-               outcome.failure.find("cross") == std::string::npos) {
+    } else if (outcome.is_cut_off) {  // others are not polygons any more, or have no sum in doubles
       failure = placement.name + ": " + outcome.failure;
     }
   }
   const Spread spread = spread_of(places);
-  std::printf("| %s | %zu / %zu |", pair.name.c_str(), rings.first.size(), rings.second.size());
+  std::printf("| %s | %zu / %zu |", pair.name.c_str(), tidy(rings.first).size(),
+              tidy(rings.second).size());
   if (places.empty()) {
     std::printf(" - | - | - | - | %s |\n", failure.c_str());
   } else {

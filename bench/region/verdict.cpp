@@ -109,16 +109,22 @@ Verdict verdict_of(const ExactWhole& answer, const ExactRegion& truth) {
   for (const Exact& x : points.of_fits) {
     verdict.fits_lost += is_covered(answer, x) ? 1 : 0;
   }
+  return verdict;
+}
+
+std::vector<Exact> points_in_false_holes(const ExactWhole& answer, const ExactRegion& truth) {
+  std::vector<Exact> points;
   for (const invariants::Ring& given : answer.holes) {
     const invariants::Ring hole = invariants::without_repetitions(given);
     if (hole.size() < 3 || invariants::twice_area(hole) == 0) {
       continue;
     }
     const Exact x = point_well_inside(hole);
-    const bool is_free = !is_covered(truth.whole, x) || is_on_fit(truth.fits, x);
-    verdict.holes_false += !is_free && !is_covered(answer, x) ? 1 : 0;
+    if (is_covered(truth.whole, x) && !is_on_fit(truth.fits, x) && !is_covered(answer, x)) {
+      points.push_back(x);
+    }
   }
-  return verdict;
+  return points;
 }
 
 }  // namespace gcv::bench

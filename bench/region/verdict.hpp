@@ -26,10 +26,13 @@ struct FreePoints {
 FreePoints free_points(const ExactRegion& region);
 
 struct Verdict {
-  std::size_t holes_lost = 0;   // their points are covered
-  std::size_t holes_false = 0;  // points well inside the system's holes that are covered in truth
+  std::size_t holes_lost = 0;  // their points are covered
   std::size_t fits_lost = 0;
 };
 Verdict verdict_of(const ExactWhole& answer, const ExactRegion& truth);
+
+// Points well inside the system's holes that are covered in truth.
+std::vector<invariants::Exact> points_in_false_holes(const ExactWhole& answer,
+                                                     const ExactRegion& truth);
 
 }  // namespace gcv::bench
