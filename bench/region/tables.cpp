@@ -183,7 +183,7 @@ void print_samples(bool quick) {
 void print_growth(bool quick) {
   std::puts(
       "| coasts | vertices of the region | holes | region ms | µs a vertex | outer face ms | "
-      "µs a vertex | cover ms | us a vertex | that : log2 n |\n"
+      "µs a vertex | cover ms | µs a vertex | that : log2 n |\n"
       "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |");
   for (const int n : quick ? std::vector<int>{1000} : std::vector<int>{1000, 10000, 100000}) {
     const auto [a, b] = reference_coasts(n, 0);
