@@ -249,28 +249,28 @@ WitnessSearch::Sectors WitnessSearch::sectors(Rank first, Rank last) const {
   return first <= last ? from_first & to_last : from_first | to_last;
 }
 
-std::vector<WitnessSearch::NodeSectors> WitnessSearch::node_sectors(const ChordTree& tree,
-                                                                    const Boundary& polygon,
-                                                                    const Ranks& ranks) const {
-  std::vector<NodeSectors> result(tree.blocks.size() * ChordTree::width);
+std::vector<WitnessSearch::Below> WitnessSearch::all_below(const ChordTree& tree,
+                                                           const Boundary& polygon,
+                                                           const Ranks& ranks) const {
+  std::vector<Below> result(tree.blocks.size() * ChordTree::width);
   for (std::size_t k = result.size(); k-- > 0;) {
     const auto node = static_cast<ChordTree::Node>(k);
-    const Box box = tree.block_of(node).boxes.box(ChordTree::lane_of(node));
-    if (box.x0 > box.x1) {
-      continue;  // missing
+    if ((tree.block_of(node).lanes >> ChordTree::lane_of(node) & 1U) == 0) {
+      continue;
     }
     const std::uint32_t below = tree.below(node);
     if (tree.is_edge(node)) {
-      result[node] = {sectors(ranks[below], ranks[below]),
-                      polygon.corners[below].convex
-                          ? sectors(ranks[polygon.previous(below)], ranks[below])
-                          : 0};
+      result[node] = {
+          sectors(ranks[below], ranks[below]),
+          polygon.corners[below].convex ? sectors(ranks[polygon.previous(below)], ranks[below]) : 0,
+          1};
       continue;
     }
     for (std::uint32_t lane = 0; lane < ChordTree::width; ++lane) {
-      const NodeSectors& child = result[ChordTree::node(below, lane)];
+      const Below& child = result[ChordTree::node(below, lane)];
       result[node].edges |= child.edges;
       result[node].cones |= child.cones;
+      result[node].size += child.size;
     }
   }
   return result;

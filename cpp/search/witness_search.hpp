@@ -39,9 +39,10 @@ class WitnessSearch {
 
   // Calls visit(edge) for the superset edges, before merging, whose direction is in the half-plane
   // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
-  // those that lie in witnesses that were found until then.
-  template <class Visit>
-  void for_each_uncovered_edge(Rank first, Visit visit);
+  // those that lie in witnesses that were found until then. Calls pass(pairs) with the number of
+  // pairs of edges that it is done with; in all, that is all of them.
+  template <class Visit, class Pass>
+  void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
 
   [[nodiscard]] double slack() const { return slack_; }
 
@@ -117,17 +118,18 @@ class WitnessSearch {
   // Do covered cells hold the sum of the nodes, or does the last witness?
   [[nodiscard]] bool is_covered(const Nodes& nodes) const;
 
-  // The directions of edges and cones below a node, as sets of up to 64 sectors of ranks.
+  // Directions as sets of up to 64 sectors of ranks.
   using Sectors = std::uint64_t;
-  struct NodeSectors {
+  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
+  // What is below a node: the directions of edges and cones, and how many edges.
+  struct Below {
     Sectors edges = 0;
     Sectors cones = 0;
+    Index size = 0;
   };
-  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
   // Of the nodes of a tree.
-  [[nodiscard]] std::vector<NodeSectors> node_sectors(const ChordTree& tree,
-                                                      const Boundary& polygon,
-                                                      const Ranks& ranks) const;
+  [[nodiscard]] std::vector<Below> all_below(const ChordTree& tree, const Boundary& polygon,
+                                             const Ranks& ranks) const;
 
   const Operands& operands_;
   const ChordTree& a_;
@@ -146,13 +148,13 @@ class WitnessSearch {
   std::optional<Witness> last_;  // that was found
 };
 
-template <class Visit>
-void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit) {
+template <class Visit, class Pass>
+void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) {
   const Directions& directions = operands_.directions;
   const Rank half = directions.half_turn;
   const Sectors wanted = sectors(first, (first + half - 1) % (2 * half));
-  const std::vector<NodeSectors> sectors_a = node_sectors(a_, operands_.a, directions.rank_a);
-  const std::vector<NodeSectors> sectors_b = node_sectors(b_, operands_.b, directions.rank_b);
+  const std::vector<Below> below_a = all_below(a_, operands_.a, directions.rank_a);
+  const std::vector<Below> below_b = all_below(b_, operands_.b, directions.rank_b);
   const auto visit_edge = [&](const PairEdge& edge, bool contributes) {
     if (contributes && directions.angle(first, edge.rank) < half) {
       visit(edge);
@@ -162,27 +164,27 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit) {
   while (!stack.empty()) {
     const Nodes nodes = stack.back();
     stack.pop_back();
-    if (is_covered(nodes)) {
-      continue;
-    }
-    if (are_edges(nodes)) {
+    const Below& a = below_a[nodes.a];
+    const Below& b = below_b[nodes.b];
+    const bool is_wanted = (((a.edges & b.cones) | (a.cones & b.edges)) & wanted) != 0;
+    if (is_wanted && !is_covered(nodes)) {
+      if (!are_edges(nodes)) {
+        const Family children = family(nodes);
+        for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {
+          if ((children.children.lanes >> lane & 1U) != 0) {
+            stack.push_back(children.nodes(lane));
+          }
+        }
+        continue;
+      }
       const Index i = a_.below(nodes.a);
       const Index j = b_.below(nodes.b);
       const PairEdge translated = operands_.translated(i, j);
       const PairEdge corner = operands_.corner(i, j);
       visit_edge(translated, operands_.b_contributes(j, translated.rank));
       visit_edge(corner, operands_.a_contributes(i, corner.rank));
-      continue;
     }
-    const Family children = family(nodes);
-    for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {
-      const Nodes child = children.nodes(lane);
-      const NodeSectors& a = sectors_a[child.a];
-      const NodeSectors& b = sectors_b[child.b];
-      if ((((a.edges & b.cones) | (a.cones & b.edges)) & wanted) != 0) {
-        stack.push_back(child);
-      }
-    }
+    pass(std::uint64_t{a.size} * b.size);
   }
 }
 

@@ -20,7 +20,9 @@ struct OuterFaces {
   using Result = OuterFace;
   using Options = SumOptions;
 
-  static const Boundary& outer(const Boundary& ring) { return ring; }
+  static std::uint64_t steps(const Boundary& a, const Boundary& b, const Options& /*options*/) {
+    return estimated_steps(a, b);
+  }
   static Operand simplified(const std::shared_ptr<const Boundary>& ring, const Options& options) {
     const Simplified near = simplified_for_sum(ring, options);
     return {near.ring, "", near.error_bound};
@@ -31,40 +33,21 @@ struct OuterFaces {
   }
 };
 
-// The steps of one pair, counted as steps of the batch.
-class PairProgress {
- public:
-  explicit PairProgress(Task& batch) : batch_(batch) {}
-  Task& task() { return task_; }
-
- private:
-  static std::int32_t report(void* context, std::uint64_t done, std::uint64_t /*estimate*/) {
-    auto& progress = *static_cast<PairProgress*>(context);
-    progress.batch_.advance(done - progress.counted_);
-    progress.counted_ = done;
-    return 0;
-  }
-
-  Task& batch_;
-  std::uint64_t counted_ = 0;
-  Task task_{1, report, this};
-};
-
-// Each pair simplifies its polygons: minkowski_sum_region() does so itself.
 struct Regions {
   using Shape = Polygon;
   using Result = Region;
   using Options = RegionOptions;
 
-  static const Boundary& outer(const Polygon& polygon) { return polygon.outer; }
+  static std::uint64_t steps(const Polygon& a, const Polygon& b, const Options& options) {
+    return estimated_steps(a, b, options);
+  }
   static RegionOperand simplified(const std::shared_ptr<const Polygon>& polygon,
-                                  const Options& /*options*/) {
-    return {polygon, "", 0};
+                                  const Options& options) {
+    return simplified_for_sum(RegionOperand{polygon, ""}, options);
   }
   static Region sum(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                     const Options& options, Task& task) {
-    PairProgress progress(task);
-    return minkowski_sum_region(a, b, shift, options, progress.task());
+    return sum_region(a, b, shift, options, task);
   }
 };
 
@@ -110,7 +93,7 @@ class Batch {
     std::uint64_t steps = 0;
     for (const auto& [a, b, shift] : pairs_) {
       if (a != nullptr && b != nullptr) {
-        steps += estimated_steps(Kind::outer(*a), Kind::outer(*b));
+        steps += Kind::steps(*a, *b, options_);
       }
     }
     return steps;

@@ -118,16 +118,21 @@ class EdgeCover {
   }
 
   // The same for all superset edges of the half-plane of directions that begins with that rank.
-  // Calls advance() after each.
-  template <class Visitor, class Advance>
-  void walk_half_plane(Rank first, Visitor& visitor, Advance advance) {
+  // Returns how many there were. Calls pass(pairs), as the search does.
+  template <class Visitor, class Pass>
+  std::uint64_t walk_half_plane(Rank first, Visitor& visitor, Pass pass) {
     WalkedLines lines(operands_, search_.slack(), tally_);
-    search_.for_each_uncovered_edge(first, [&](const PairEdge& s) {
-      if (!lines.hold(s)) {
-        walk(s, visitor);
-      }
-      advance();
-    });
+    std::uint64_t edges = 0;
+    search_.for_each_uncovered_edge(
+        first,
+        [&](const PairEdge& s) {
+          ++edges;
+          if (!lines.hold(s)) {
+            walk(s, visitor);
+          }
+        },
+        pass);
+    return edges;
   }
 
   // The same for the sums of points in which rings of A touch with such points of B. These can be

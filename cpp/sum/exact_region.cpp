@@ -131,21 +131,49 @@ void add_fits(const Operands& operands, Fits& fits, ExactRegion& region) {
   }
 }
 
+// Tells the task of a walk over pairs of edges in even steps, as many as were estimated. The steps
+// along rings that were found on the way are among them.
+class Progress {
+ public:
+  Progress(const Operands& operands, Task& task)
+      : task_(task),
+        steps_a_pair_(static_cast<double>(estimated_cover_steps(operands.a, operands.b)) /
+                      (static_cast<double>(operands.a.size()) * operands.b.size())) {}
+
+  void pass(std::uint64_t pairs, std::uint64_t steps_along_rings) {
+    pairs_ += pairs;
+    const auto target = static_cast<std::uint64_t>(static_cast<double>(pairs_) * steps_a_pair_);
+    const std::uint64_t done = told_ + steps_along_rings;
+    if (target >= done + Task::portion) {
+      task_.advance(target - done);
+      told_ += target - done;
+    }
+  }
+
+ private:
+  Task& task_;
+  double steps_a_pair_;
+  std::uint64_t pairs_ = 0;
+  std::uint64_t told_ = 0;
+};
+
 // Asks all superset edges of half a plane of directions.
 void walk_half_plane(const Operands& operands, EdgeCover& cover, Finder& finder, Task& task,
                      Counts& counts) {
-  std::uint64_t edges = 0;
-  cover.walk_half_plane(cheapest_half_plane(operands), finder, [&] {
-    if (++edges % Task::portion == 0) {
-      task.advance(Task::portion);
-    }
-  });
+  Progress progress(operands, task);
+  const std::uint64_t edges =
+      cover.walk_half_plane(cheapest_half_plane(operands), finder,
+                            [&](std::uint64_t pairs) { progress.pass(pairs, finder.steps()); });
   counts.candidate_edges += edges + finder.candidates();
   counts.walk_steps += finder.steps();
   counts.predicates += finder.tally();
 }
 
 }  // namespace
+
+std::uint64_t estimated_cover_steps(const Boundary& a, const Boundary& b) {
+  return 16 * (std::uint64_t{a.size()} + b.size());
+}
 
 void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region) {
   region.parts.push_back({PartKind::outer, 0, 0, outer.size()});

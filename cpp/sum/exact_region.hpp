@@ -19,6 +19,10 @@ struct WantedParts {
   bool fits = true;  // segments and points
 };
 
+// How many steps a task is told of for the parts beside an outer face. They take several times as
+// long as that.
+std::uint64_t estimated_cover_steps(const Boundary& a, const Boundary& b);
+
 // Makes it the first ring of a sum.
 void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region);
 

@@ -57,19 +57,32 @@ ExactRegion exact_fits(const RegionOperand& container, const RegionOperand& refl
   return exact;
 }
 
-// An operand within half of the tolerance of the given polygon.
-RegionOperand simplified(const RegionOperand& operand, const SumOptions& options) {
+}  // namespace
+
+RegionOperand simplified_for_sum(const RegionOperand& operand, const SumOptions& options) {
   if (operand.polygon->holes.empty()) {
-    const Simplified near = simplified_for_sum(outer_ring(operand.polygon), options);
-    return {std::make_shared<const Polygon>(*near.ring), operand.name, near.error_bound};
+    const std::shared_ptr<const Boundary> ring = outer_ring(operand.polygon);
+    const Simplified near = simplified_for_sum(ring, options);
+    return near.ring == ring ? operand
+                             : RegionOperand{std::make_shared<const Polygon>(*near.ring),
+                                             operand.name, near.error_bound};
+  }
+  if (options.tolerance == 0) {
+    return operand;
   }
   const SimplifiedPolygon near = simplify(operand.polygon, options.tolerance / 2, options.rounding);
   return {near.polygon, operand.name, near.error_bound};
 }
 
-// The region of a sum of these operands.
-Region region_of(const RegionOperand& a, const RegionOperand& b, const Point& shift,
-                 const RegionOptions& options, Task& task) {
+std::uint64_t estimated_steps(const Polygon& a, const Polygon& b, const RegionOptions& options) {
+  const std::uint64_t steps = estimated_steps(a.outer, b.outer);
+  return options.leave_out_holes && options.leave_out_fits
+             ? steps
+             : steps + estimated_cover_steps(a.boundary(), b.boundary());
+}
+
+Region sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                  const RegionOptions& options, Task& task) {
   if (shift == Point{0, 0}) {
     check_extremes(a.polygon->outer, a.name, b.polygon->outer, b.name);
   }
@@ -96,21 +109,20 @@ Region region_of(const RegionOperand& a, const RegionOperand& b, const Point& sh
   return region;
 }
 
-}  // namespace
-
 Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                             const RegionOptions& options, Task& task) {
-  task.begin(estimated_steps(a.polygon->outer, b.polygon->outer));
-  Region region = options.tolerance == 0 ? region_of(a, b, shift, options, task)
-                                         : region_of(simplified(a, options), simplified(b, options),
-                                                     shift, options, task);
+  task.begin(estimated_steps(*a.polygon, *b.polygon, options));
+  Region region = options.tolerance == 0
+                      ? sum_region(a, b, shift, options, task)
+                      : sum_region(simplified_for_sum(a, options), simplified_for_sum(b, options),
+                                   shift, options, task);
   task.finish();
   return region;
 }
 
 Region inner_fit_region(const RegionOperand& container, const RegionOperand& reflected,
                         const Point& shift, const RegionOptions& options, Task& task) {
-  task.begin(estimated_steps(container.polygon->outer, reflected.polygon->outer));
+  task.begin(estimated_cover_steps(container.polygon->boundary(), reflected.polygon->boundary()));
   Region region;
   Tally& tally = region.counts.predicates;
   region.exact =

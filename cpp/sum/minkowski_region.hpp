@@ -33,6 +33,17 @@ struct Region {
   Counts counts;
 };
 
+// An operand within half of the tolerance of the given polygon.
+RegionOperand simplified_for_sum(const RegionOperand& operand, const SumOptions& options);
+
+// A guess of the steps of a sum.
+std::uint64_t estimated_steps(const Polygon& a, const Polygon& b, const RegionOptions& options);
+
+// The sum of operands as they are, as a part of a task. Their errors are added to its bound. Throws
+// Error: range, cancelled, internal.
+Region sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
+                  const RegionOptions& options, Task& task);
+
 // The closed sum a + b + shift, and the exact fits in it. Throws Error: range, cancelled, internal.
 Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                             const RegionOptions& options, Task& task);

@@ -279,6 +279,8 @@ int main(void) {
   fraction = POLYGON(0.1, 0, 1, 0.2, 0.3, 1);
   face = sum_of(polygon, polygon);
   CHECK_OK(gcv_minkowski_sum_region(holed, polygon, NULL, &region));
+  CHECK_OK(outward_sum_region()); /* polygons keep what they have prepared for sums */
+  forget_outputs();
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
   starve_in_child("gcv_polygon_create_rings", create_rings);

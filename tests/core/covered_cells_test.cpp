@@ -170,7 +170,13 @@ TEST(CoveredCells, LieInTheOpenSumOfAComplement) {
              std::array{
                  make_ring({{40, 40}, {60, 40}, {60, 60}, {40, 60}}, "hole", Boundary::Kind::hole)})
           .complement();
-  const Boundary b = make_ring({{0, 0}, {20, 0}, {20, 20}, {0, 20}}, "B");
+  Ring ring;  // enough vertices for a grid
+  for (int k = 0; k < 40; ++k) {
+    const double low = k % 2 == 0 ? 0 : 0.25;
+    ring.push_back({k * 0.5, low});
+  }
+  ring.insert(ring.end(), {{20, 0}, {20, 20}, {0, 20}});
+  const Boundary b = make_ring(ring, "B");
   Tally tally;
   const Operands operands{container, b, merge_directions(container, b, tally)};
   const CoveredCells cells(operands, slack_of(operands));

@@ -168,10 +168,15 @@ TEST(WitnessSearch, PassesOverCoveredEdgesAlone) {
     }
     const auto first = static_cast<Rank>(k) % (2 * directions.half_turn);
     std::set<std::tuple<PairEdge::Kind, Index, Index>> visited;
-    search.for_each_uncovered_edge(first, [&](const PairEdge& e) {
-      ASSERT_LT(directions.angle(first, e.rank), directions.half_turn);
-      ASSERT_TRUE(visited.insert({e.kind, e.i, e.j}).second);
-    });
+    std::uint64_t pairs = 0;
+    search.for_each_uncovered_edge(
+        first,
+        [&](const PairEdge& e) {
+          ASSERT_LT(directions.angle(first, e.rank), directions.half_turn);
+          ASSERT_TRUE(visited.insert({e.kind, e.i, e.j}).second);
+        },
+        [&](std::uint64_t passed) { pairs += passed; });
+    ASSERT_EQ(pairs, std::uint64_t{example.operands.a.size()} * example.operands.b.size());
     visited_edges += visited.size();
     std::size_t known = 0;
     for (const PairEdge& e : edges) {
