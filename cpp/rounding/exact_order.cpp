@@ -2,6 +2,8 @@
 #include "exact_order.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -123,7 +125,9 @@ int ExactOrder::compare(const Placed& p, const Point& q) const {
 Box ExactOrder::box_of_edge(const Placed& p, const Placed& q) {
   const auto near = [](const Placed& v) { return Point{v.nearest.x.value, v.nearest.y.value}; };
   const Box box = box_of(near(p), near(q));
-  return {-next_up(-box.x0), -next_up(-box.y0), next_up(box.x1), next_up(box.y1)};
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return {std::nextafter(box.x0, -infinity), std::nextafter(box.y0, -infinity),
+          std::nextafter(box.x1, infinity), std::nextafter(box.y1, infinity)};
 }
 
 void ExactOrder::sort(std::vector<std::vector<RingVertex>>& rings) const {

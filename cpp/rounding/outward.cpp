@@ -58,23 +58,6 @@ Grown grow(const std::shared_ptr<const Boundary>& polygon, double d,
   return grown;
 }
 
-// At least the distance of p from the segment ab. It is a bound of the distance from a point near
-// the foot of the perpendicular. The coordinates of that point are off by a few units in the last
-// place at most. Scales where squares would overflow or underflow. What smaller coordinates lose by
-// that is far below a unit.
-double distance_bound(Point p, Point a, Point b, double unit) {
-  const double scale = unit > 0x1p400 ? 0x1p-600 : unit < 0x1p-400 ? 0x1p600 : 1;
-  for (Point* const point : {&p, &a, &b}) {
-    *point = {point->x * scale, point->y * scale};
-  }
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double square = dx * dx + dy * dy;
-  const double foot = ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
-  const double t = foot > 0 ? std::min(foot, 1.0) : 0.0;
-  return length_bound(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) / scale + 8 * unit;
-}
-
 // At least the distance from the rounded O of every vertex of N that no edge of O comes from.
 double lost_distance(const Grown& grown, double unit) {
   const Boundary& n = *grown.ring.a.ring;

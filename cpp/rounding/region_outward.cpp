@@ -17,6 +17,7 @@
 
 #include "error.hpp"
 #include "exact_indices.hpp"
+#include "region_distance.hpp"
 #include "region_rounding.hpp"
 #include "rounding.hpp"
 #include "units.hpp"
@@ -88,6 +89,7 @@ class SafeRounder {
     RoundedRegion safe;
     std::vector<bool> is_left(nearest.vertices.size());
     Index number = 0;
+    double furthest = 1.5 * d;
     for (const RoundedPolygon& polygon : polygons) {
       const ExactRegion exact = with_square_(polygon.polygon, square(d));
       const RoundedRegion rounded = round_to_nearest(exact, false, task_, tally_);
@@ -95,6 +97,7 @@ class SafeRounder {
         return std::nullopt;
       }
       safe.displacement = std::max(safe.displacement, rounded.displacement);
+      furthest = std::max(furthest, distance_from_region(exact, task_, tally_));
       safe.vertices_repaired += rounded.vertices_repaired;
       for (const RegionPart& part : rounded.parts) {
         if (part.is_ring()) {
@@ -109,7 +112,8 @@ class SafeRounder {
       }
       number = safe.parts.empty() ? 0 : safe.parts.back().polygon + 1;
     }
-    safe.error_bound = next_up((1.5 * d + nearest.error_bound + safe.displacement) * (1 + 0x1p-50));
+    safe.error_bound =
+        next_up((furthest + nearest.error_bound + safe.displacement) * (1 + 0x1p-50));
     safe.displacement = safe.error_bound;
     safe.vertices_repaired += nearest.vertices_repaired;
     safe.parts_dropped = nearest.parts_dropped;

@@ -28,4 +28,20 @@ double sum_bound(double x, double y) {
   return x == 0 || y == 0 ? x + y : next_up(x + y);
 }
 
+// A bound of the distance from a point near the foot of the perpendicular. The coordinates of that
+// point are off by a few units in the last place at most. Scales where squares would overflow or
+// underflow. What smaller coordinates lose by that is far below a unit.
+double distance_bound(Point p, Point a, Point b, double unit) {
+  const double scale = unit > 0x1p400 ? 0x1p-600 : unit < 0x1p-400 ? 0x1p600 : 1;
+  for (Point* const point : {&p, &a, &b}) {
+    *point = {point->x * scale, point->y * scale};
+  }
+  const double dx = b.x - a.x;
+  const double dy = b.y - a.y;
+  const double square = dx * dx + dy * dy;
+  const double foot = ((p.x - a.x) * dx + (p.y - a.y) * dy) / square;
+  const double t = foot > 0 ? std::min(foot, 1.0) : 0.0;
+  return length_bound(p.x - (a.x + t * dx), p.y - (a.y + t * dy)) / scale + 8 * unit;
+}
+
 }  // namespace gcv

@@ -16,4 +16,8 @@ Point units_in_last_place(const PointVector& points);
 // At least x + y. x and y must not be negative.
 double sum_bound(double x, double y);
 
+// At least the distance of p from the segment ab. `unit` is a unit in the last place of the largest
+// coordinate.
+double distance_bound(Point p, Point a, Point b, double unit);
+
 }  // namespace gcv

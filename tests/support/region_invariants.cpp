@@ -260,7 +260,7 @@ class Check {
       places();
       well_formed_returned(region_);
       nearest_doubles();
-      error_bound(region_, false);
+      error_bound(region_);
       follows_transformations();
     } catch (const Failure& failure) {
       note(failure, "");
@@ -571,8 +571,7 @@ class Check {
     });
   }
 
-  // Rounded to the safe side, corners of what is free are cut off.
-  void error_bound(const Region& region, bool are_cut) {
+  void error_bound(const Region& region) {
     const auto are_near = [&](const Parts& parts, const Parts& others) {
       for (const std::size_t k : sample(parts.size(), samples(edges()))) {
         for (const std::size_t i : sample(parts[k].points.size(), samples(edges()))) {
@@ -586,7 +585,7 @@ class Check {
     if (!are_near(region.returned, region.exact)) {
       broken("A returned vertex is further from the exact parts than the error bound says.");
     }
-    if (!are_cut && region.dropped == 0 && !are_near(region.exact, region.returned)) {
+    if (region.dropped == 0 && !are_near(region.exact, region.returned)) {
       broken("An exact vertex is further from the returned parts than the error bound says.");
     }
   }
@@ -598,7 +597,7 @@ class Check {
       broken("The exact parts depend on the rounding.");
     }
     well_formed_returned(region);
-    error_bound(region, true);
+    error_bound(region);
     for (const std::size_t k : sample(region.returned.size(), samples(edges()))) {
       const Part& part = region.returned[k];
       const Part& exact_one = region.exact[region.exact_part[k]];

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Each edge of a ring of the region names the edges and vertices of A that it comes from. The
+// distance of an edge of A from that segment is largest at one of its ends. An edge that nothing
+// comes from has neighbours that are known: its points are no further away than along the boundary
+// to these.
+#include "region_distance.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "box.hpp"
+#include "rounding.hpp"
+#include "units.hpp"
+#include "vector.hpp"
+
+namespace gcv {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+class Distances {
+ public:
+  Distances(const ExactRegion& region, const PointVector& places, double unit)
+      : a_(*region.a.ring),
+        unit_(unit),
+        of_vertices_(a_.size(), infinity),
+        of_edges_(a_.size(), infinity) {
+    for (const RegionPart& part : region.parts) {
+      for (std::size_t k = part.first; part.is_ring() && k < part.end(); ++k) {
+        const std::size_t next = k + 1 < part.end() ? k + 1 : part.first;
+        const EdgeName first = region.vertices[k].leaving();
+        const EdgeName last = region.vertices[next].arriving();
+        if (region.against_edges) {
+          add(last, first, places[next], places[k]);
+        } else {
+          add(first, last, places[k], places[next]);
+        }
+      }
+    }
+  }
+
+  [[nodiscard]] double largest() {
+    double result = 0;
+    for (Index ring = 0; ring < a_.layout.ring_count(); ++ring) {
+      result = std::max(result, largest_of(a_.layout.begin(ring), a_.layout.end(ring)));
+    }
+    return result;
+  }
+
+ private:
+  // A segment that comes from what lies between two superset edges.
+  void add(const EdgeName& first, const EdgeName& last, const Point& from, const Point& to) {
+    const auto distance = [&](Index vertex) {
+      const double bound = distance_bound(a_.vertices[vertex], from, to, unit_);
+      of_vertices_[vertex] = std::min(of_vertices_[vertex], bound);
+      return bound;
+    };
+    const bool is_one_ring = a_.layout.ring_of(first.i) == a_.layout.ring_of(last.i);
+    const Index end = !is_one_ring                    ? first.i
+                      : last.kind == EdgeName::corner ? last.i
+                                                      : a_.next(last.i);
+    Index i = first.i;
+    double at_start = distance(i);
+    while (i != end) {
+      const Index next = a_.next(i);
+      const double at_end = distance(next);
+      of_edges_[i] = std::min(of_edges_[i], std::max(at_start, at_end));
+      at_start = at_end;
+      i = next;
+    }
+  }
+
+  [[nodiscard]] double length(Index edge) const {
+    const Point& p = a_.vertices[edge];
+    const Point& q = a_.vertices[a_.next(edge)];
+    return length_bound(q.x - p.x, q.y - p.y);
+  }
+
+  double largest_of(Index begin, Index end) {
+    // Twice round the ring each way, from what is known.
+    for (int round = 0; round < 2; ++round) {
+      for (Index i = begin; i < end; ++i) {
+        double& next = of_vertices_[a_.next(i)];
+        next = std::min(next, sum_bound(of_vertices_[i], length(i)));
+      }
+      for (Index i = end; i-- > begin;) {
+        double& here = of_vertices_[i];
+        here = std::min(here, sum_bound(of_vertices_[a_.next(i)], length(i)));
+      }
+    }
+    double result = 0;
+    for (Index i = begin; i < end; ++i) {
+      const double along =
+          (of_vertices_[i] + of_vertices_[a_.next(i)] + length(i)) * (0.5 + 0x1p-50);
+      result = std::max(result, std::min(of_edges_[i], along));
+    }
+    return result < infinity ? result : extents(begin, end);
+  }
+
+  [[nodiscard]] double extents(Index begin, Index end) const {
+    const Box box = box_of(std::span<const Point>(a_.vertices).subspan(begin, end - begin));
+    return length_bound(box.x1 - box.x0, box.y1 - box.y0);
+  }
+
+  const Boundary& a_;
+  double unit_;
+  std::vector<double> of_vertices_;
+  std::vector<double> of_edges_;
+};
+
+}  // namespace
+
+double distance_from_region(const ExactRegion& region, Task& task, Tally& tally) {
+  const PointVector places = place_nearest(region, task, tally).places;
+  const Point units = units_in_last_place(region.a.ring->vertices);
+  return Distances(region, places, std::max(units.x, units.y)).largest();
+}
+
+}  // namespace gcv
