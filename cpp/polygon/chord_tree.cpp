@@ -93,7 +93,12 @@ class Builder {
 
   void put(std::uint32_t block, std::uint32_t lane, const Range& range) {
     const bool is_one_chain = is_chain(range);
-    const Furthest of_chain = is_one_chain && range.size() > 1 ? furthest(range) : Furthest{};
+    Furthest of_chain;
+    if (!is_one_chain) {
+      of_chain.distance = infinity;
+    } else if (range.size() > 1) {
+      of_chain = furthest(range);
+    }
     const std::span<const Point> points = chain_.ends(range.first, range.size());
     const Box box = box_of(points);
     {
@@ -103,7 +108,7 @@ class Builder {
       in.y0[lane] = points.front().y;
       in.x1[lane] = points.back().x;
       in.y1[lane] = points.back().y;
-      in.radius[lane] = is_one_chain ? of_chain.distance : infinity;
+      in.radius[lane] = of_chain.distance;
       in.length[lane] = is_one_chain ? length_bound(points.back().x - points.front().x,
                                                     points.back().y - points.front().y)
                                      : 0;

@@ -54,17 +54,16 @@ class Distances {
 
  private:
   // A segment that comes from what lies between two superset edges.
-  void add(const EdgeName& first, const EdgeName& last, const Point& from, const Point& to) {
+  void add(const EdgeName& begins, const EdgeName& ends, const Point& from, const Point& to) {
     const auto distance = [&](Index vertex) {
       const double bound = distance_bound(a_.vertices[vertex], from, to, unit_);
       of_vertices_[vertex] = std::min(of_vertices_[vertex], bound);
       return bound;
     };
-    const bool is_one_ring = a_.layout.ring_of(first.i) == a_.layout.ring_of(last.i);
-    const Index end = !is_one_ring                    ? first.i
-                      : last.kind == EdgeName::corner ? last.i
-                                                      : a_.next(last.i);
-    Index i = first.i;
+    const bool is_one_ring = a_.layout.ring_of(begins.i) == a_.layout.ring_of(ends.i);
+    const Index behind = ends.kind == EdgeName::corner ? ends.i : a_.next(ends.i);
+    const Index end = is_one_ring ? behind : begins.i;
+    Index i = begins.i;
     double at_start = distance(i);
     while (i != end) {
       const Index next = a_.next(i);
