@@ -114,6 +114,19 @@ Pair key_in_slot() {
   return {mapped(block_with(slot), turn), negated(mapped(key_of(slot), turn))};
 }
 
+// A row of chambers, each behind a mouth that is too narrow for the other part.
+Pair keyholes() {
+  Polygon plate{{0, -10}, {200, -10}};
+  for (int k = 19; k >= 0; --k) {
+    const double x = 10.0 * k;
+    for (const auto& [dx, y] : Polygon{
+             {9, 10}, {6, 10}, {6, 6}, {8, 6}, {8, 0}, {2, 0}, {2, 6}, {4, 6}, {4, 10}, {1, 10}}) {
+      plate.push_back({x + dx, y});
+    }
+  }
+  return {plate, {{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2.5}, {1, 2.5}, {1, 1}, {0, 1}}};
+}
+
 const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"parts", parts},
                                                          {"stars", stars},
@@ -124,24 +137,45 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"part_and_convex", part_and_convex},
                                                          {"coast_and_convex", coast_and_convex}};
 
+// Their whole regions.
+const std::map<std::string, std::function<Pair()>> region_cases{{"region_of_parts", parts},
+                                                                {"region_of_stars", stars},
+                                                                {"region_of_coasts", coasts},
+                                                                {"region_of_key", key_in_slot},
+                                                                {"region_of_keyholes", keyholes}};
+
 void require(gcv_status status) {
   if (status != GCV_OK) {
     throw std::runtime_error(gcv_last_error_message());
   }
 }
 
-void sum(const Pair& pair) {
-  gcv_polygon* a = nullptr;
-  gcv_polygon* b = nullptr;
+void add_outer_face(const gcv_polygon* a, const gcv_polygon* b) {
   gcv_outer_face* face = nullptr;
   std::size_t count = 0;
-  require(gcv_polygon_create(pair.a.front().data(), pair.a.size(), 0, &a));
-  require(gcv_polygon_create(pair.b.front().data(), pair.b.size(), 0, &b));
   require(gcv_minkowski_sum(a, b, nullptr, &face));
   require(gcv_outer_face_vertex_count(face, &count));
   Polygon ring(count);
   require(gcv_outer_face_vertices(face, ring.front().data(), count, &count));
   gcv_outer_face_destroy(face);
+}
+
+void add_region(const gcv_polygon* a, const gcv_polygon* b) {
+  gcv_region* region = nullptr;
+  std::size_t count = 0;
+  require(gcv_minkowski_sum_region(a, b, nullptr, &region));
+  require(gcv_region_vertices(region, nullptr, 0, &count));
+  Polygon vertices(count);
+  require(gcv_region_vertices(region, vertices.front().data(), count, &count));
+  gcv_region_destroy(region);
+}
+
+void run(const Pair& pair, bool is_region) {
+  gcv_polygon* a = nullptr;
+  gcv_polygon* b = nullptr;
+  require(gcv_polygon_create(pair.a.front().data(), pair.a.size(), 0, &a));
+  require(gcv_polygon_create(pair.b.front().data(), pair.b.size(), 0, &b));
+  is_region ? add_region(a, b) : add_outer_face(a, b);
   gcv_polygon_destroy(b);
   gcv_polygon_destroy(a);
 }
@@ -151,14 +185,19 @@ void sum(const Pair& pair) {
 
 int main(int argc, char** argv) {
   if (argc != 3) {
-    for (const auto& [name, pair] : gcv::hard::cases) {
-      std::cout << name << '\n';
+    for (const auto* all : {&gcv::hard::cases, &gcv::hard::region_cases}) {
+      for (const auto& [name, pair] : *all) {
+        std::cout << name << '\n';
+      }
     }
     return 0;
   }
-  const gcv::hard::Pair pair = gcv::hard::cases.at(argv[1])();
+  const std::string name = argv[1];
+  const bool is_region = gcv::hard::region_cases.count(name) != 0;
+  const gcv::hard::Pair pair =
+      is_region ? gcv::hard::region_cases.at(name)() : gcv::hard::cases.at(name)();
   for (int repetitions = std::stoi(argv[2]); repetitions > 0; --repetitions) {
-    gcv::hard::sum(pair);
+    gcv::hard::run(pair, is_region);
   }
   return 0;
 }
