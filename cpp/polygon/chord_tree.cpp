@@ -44,7 +44,8 @@ class Builder {
     tree_.blocks.push_back(block);
   }
 
-  // Distances of the points of a chain from its chord.
+  // Distances of the points of a chain from its chord, at least: where a point lies beyond an end
+  // of the chord, the sum of how far it is beyond, and how far from the line.
   struct Furthest {
     double distance = 0;
     Index point = 0;  // the furthest one in the middle half of the chain
@@ -55,8 +56,8 @@ class Builder {
     const Point& from = points.front();
     const Point chord{points.back().x - from.x, points.back().y - from.y};
     const bool is_point = chord == Point{0, 0};
-    const Point unit = is_point ? Point{0, 0} : unit_vector(chord);
-    const double length = unit.x * chord.x + unit.y * chord.y;
+    const Point unit = is_point ? Point{1, 0} : unit_vector(chord);
+    const double length = is_point ? 0 : unit.x * chord.x + unit.y * chord.y;
     const Index n = range.size();
     const Index low = n / 4;
     Furthest furthest;
@@ -65,8 +66,7 @@ class Builder {
       const double dy = points[k].y - from.y;
       const double along = unit.x * dx + unit.y * dy;
       const double beyond = along - std::min(std::max(along, 0.0), length);
-      const double across = is_point ? length_bound(dx, dy) : unit.x * dy - unit.y * dx;
-      const double distance = beyond == 0 ? std::abs(across) : length_bound(beyond, across);
+      const double distance = std::abs(beyond) + std::abs(unit.x * dy - unit.y * dx);
       furthest.distance = std::max(furthest.distance, distance);
       if (k >= low && k <= n - low && distance > furthest.of_point) {
         furthest.of_point = distance;

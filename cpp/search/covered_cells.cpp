@@ -2,6 +2,7 @@
 #include "covered_cells.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -64,6 +65,7 @@ class SolidCells {
         corner_{solid.bounds.x0 - solid.vertices.front().x,
                 solid.bounds.y0 - solid.vertices.front().y},
         size_(size),
+        cells_a_unit_{1 / size.x, 1 / size.y},
         margin_(margin),
         columns_(count(solid.bounds.x1 - solid.bounds.x0, size.x)),
         rows_(count(solid.bounds.y1 - solid.bounds.y0, size.y)),
@@ -80,26 +82,25 @@ class SolidCells {
     const Word outside = solid_.kind == Boundary::Kind::outer ? 0 : ~Word{0};
     for (std::uint32_t row = 0; row < rows_; ++row) {
       Word before = outside;
+      Word last = 0;  // is the cell before the word inside?
       std::uint32_t from = 0;
-      bool is_open = false;
       for (std::uint32_t k = 0; k < words_; ++k) {
         const std::size_t at = std::size_t{row} * words_ + k;
-        const Word is_inside = parities(crossed_[at]) ^ before;
-        before = (is_inside >> (word_size - 1)) != 0 ? ~Word{0} : 0;
-        const Word inside = is_inside & ~touched_[at];
-        const std::uint32_t count = std::min(word_size, columns_ - k * word_size);
-        for (std::uint32_t bit = 0; bit < count; ++bit) {
-          const bool is_set = (inside >> bit & 1U) != 0;
-          if (is_set != is_open) {
-            if (is_open) {
-              result.push_back({row, from, k * word_size + bit});
-            }
-            from = k * word_size + bit;
-            is_open = is_set;
+        const Word parity = parities(crossed_[at]) ^ before;
+        before = (parity >> (word_size - 1)) != 0 ? ~Word{0} : 0;
+        const Word inside = parity & ~touched_[at] & columns_of_word(k);
+        for (Word changes = inside ^ (inside << 1U | last); changes != 0; changes &= changes - 1) {
+          const auto bit = static_cast<std::uint32_t>(std::countr_zero(changes));
+          const std::uint32_t column = k * word_size + bit;
+          if ((inside >> bit & 1U) != 0) {
+            from = column;
+          } else {
+            result.push_back({row, from, column});
           }
         }
+        last = inside >> (word_size - 1);
       }
-      if (is_open) {
+      if (last != 0) {
         result.push_back({row, from, columns_});
       }
     }
@@ -111,6 +112,12 @@ class SolidCells {
     return static_cast<std::uint32_t>(extent / size) + 1;
   }
 
+  // The bits of the columns that there are.
+  [[nodiscard]] Word columns_of_word(std::uint32_t k) const {
+    const std::uint32_t columns = columns_ - k * word_size;
+    return columns < word_size ? ~(~Word{0} << columns) : ~Word{0};
+  }
+
   [[nodiscard]] Point at(Index i) const {
     const Point p = solid_.relative(i);
     return {p.x - corner_.x, p.y - corner_.y};
@@ -118,8 +125,10 @@ class SolidCells {
   static std::uint32_t clamped(double place, std::uint32_t count) {
     return place > 0 ? static_cast<std::uint32_t>(std::min(place, count - 1.0)) : 0;
   }
-  [[nodiscard]] std::uint32_t column(double x) const { return clamped(x / size_.x, columns_); }
-  [[nodiscard]] std::uint32_t row(double y) const { return clamped(y / size_.y, rows_); }
+  [[nodiscard]] std::uint32_t column(double x) const {
+    return clamped(x * cells_a_unit_.x, columns_);
+  }
+  [[nodiscard]] std::uint32_t row(double y) const { return clamped(y * cells_a_unit_.y, rows_); }
 
   void add_edge(const Point& p, const Point& q) {
     const Point& low = p.y <= q.y ? p : q;
@@ -154,6 +163,7 @@ class SolidCells {
   const Boundary& solid_;
   Point corner_;
   Point size_;
+  Point cells_a_unit_;
   double margin_;
   std::uint32_t columns_;
   std::uint32_t rows_;
