@@ -178,31 +178,44 @@ constexpr std::uint64_t fewest_pairs = 150;
 // Finer grids leave fewer edges to search for, and take longer: with the third power of the side
 // where solids are cut into many runs. bench/regions is quickest about here, from stars of 40
 // vertices to coasts of 10^4.
-std::uint32_t side_of_grid(const Operands& operands) {
-  const double pairs = static_cast<double>(operands.a.size()) * operands.b.size();
-  return static_cast<std::uint32_t>(std::min(12 * std::sqrt(std::sqrt(pairs)), 2048.0));
+std::uint32_t side_of_grid(std::uint64_t pairs) {
+  return static_cast<std::uint32_t>(
+      std::min(12 * std::sqrt(std::sqrt(static_cast<double>(pairs))), 2048.0));
 }
+
+// Where solids are cut into more runs than that allows, the grid is made coarser: grilles. Shapes
+// without many bars take 40 to 160.
+constexpr std::uint64_t sums_a_vertex = 500;
 
 }  // namespace
 
 // The corners of cells, the number of the cell of a point, and where a line enters a cell, are
 // computed with errors that are worth less than the margin.
-CoveredCells::CoveredCells(const Operands& operands, double slack)
-    : side_(side_of_grid(operands)),
-      words_((side_ + word_size - 1) / word_size),
-      last_(side_ - 1),
-      margin_(slack) {
-  const Box bounds = operands.relative_bounds();
-  origin_ = {bounds.x0, bounds.y0};
-  size_ = {(bounds.x1 - bounds.x0) / side_, (bounds.y1 - bounds.y0) / side_};
-  cells_a_unit_ = {1 / size_.x, 1 / size_.y};
+CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(slack) {
   const std::uint64_t pairs = std::uint64_t{operands.a.size()} * operands.b.size();
-  if (pairs < fewest_pairs || !(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
+  const std::uint64_t most_sums =
+      sums_a_vertex * (std::uint64_t{operands.a.size()} + operands.b.size());
+  if (pairs < fewest_pairs) {
     return;
   }
+  const Box bounds = operands.relative_bounds();
+  origin_ = {bounds.x0, bounds.y0};
+  std::vector<Run> of_a;
+  std::vector<Run> of_b;
+  side_ = 2 * side_of_grid(pairs);
+  do {
+    side_ /= 2;
+    size_ = {(bounds.x1 - bounds.x0) / side_, (bounds.y1 - bounds.y0) / side_};
+    if (!(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
+      return;
+    }
+    of_a = SolidCells(operands.a, size_, margin_).runs();
+    of_b = SolidCells(operands.b, size_, margin_).runs();
+  } while (std::uint64_t{of_a.size()} * of_b.size() > most_sums);
+  words_ = (side_ + word_size - 1) / word_size;
+  last_ = side_ - 1;
+  cells_a_unit_ = {1 / size_.x, 1 / size_.y};
   bits_.resize(std::size_t{side_} * words_);
-  const std::vector<Run> of_a = SolidCells(operands.a, size_, margin_).runs();
-  const std::vector<Run> of_b = SolidCells(operands.b, size_, margin_).runs();
   // The sum of two cells is a square of four: the lower two, then the upper two.
   for (const Run& a : of_a) {
     for (const Run& b : of_b) {

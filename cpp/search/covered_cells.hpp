@@ -17,7 +17,8 @@ namespace gcv {
 
 class CoveredCells {
  public:
-  // `slack`: how far points in relative coordinates may be off. O(n + m) and what the grid takes.
+  // `slack`: how far points in relative coordinates may be off. O(n + m), and O(1) for each row of
+  // the grid that an edge meets.
   CoveredCells(const Operands& operands, double slack);
 
   // Adds the cells that lie in a witness.
@@ -43,9 +44,9 @@ class CoveredCells {
     return (bits_[y * words_ + x / word_size] >> (x % word_size) & 1U) != 0;
   }
 
-  std::uint32_t side_;
-  std::uint32_t words_;  // of a row
-  double last_;          // the number of the last cell
+  std::uint32_t side_ = 0;
+  std::uint32_t words_ = 0;  // of a row
+  double last_ = 0;          // the number of the last cell
   double margin_;
   Point origin_{};
   Point size_{};  // of a cell
