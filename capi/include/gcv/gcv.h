@@ -1051,7 +1051,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_exact_indices(const gcv_region *regi
 /**
  * The source of every edge of the exact region: element i is for the edge from exact vertex i
  * to the next vertex of its part. The second end of a segment and a point have no edge: kind,
- * a and b are 0 there. Otherwise as gcv_outer_face_edge_sources.
+ * a and b are 0 there. Of superset edges that overlap one is named; another version of the
+ * library may name another. Otherwise as gcv_outer_face_edge_sources.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
