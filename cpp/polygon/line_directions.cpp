@@ -47,13 +47,13 @@ class LineSorter {
   void take_lines() {
     lines_.resize(vertices_.size());
     edges_.resize(vertices_.size());
-    for (Index i = 0; i < static_cast<Index>(vertices_.size()); ++i) {
+    layout_.for_each_edge([&](Index i, Index next) {
       const Point& p = vertices_[i];
-      const Point& q = vertices_[next(i)];
+      const Point& q = vertices_[next];
       const bool up = points_up(p, q);
       edges_[i].points_up = up;
       lines_[i] = {up ? direction_key(p, q) : direction_key(q, p), i};
-    }
+    });
   }
 
   // 1 if e comes before f, -1 if f comes before e, 0 if they are parallel.

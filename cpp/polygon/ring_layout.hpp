@@ -53,6 +53,18 @@ class RingLayout {
     return i < first_end_ ? i - 1 : previous_in_later_ring(i);
   }
 
+  // Calls visit(i, next) for each vertex and the next one on its ring.
+  template <class Visit>
+  void for_each_edge(Visit visit) const {
+    for (Index ring = 0; ring < ring_count(); ++ring) {
+      const Index last = end(ring) - 1;
+      for (Index i = begin(ring); i < last; ++i) {
+        visit(i, i + 1);
+      }
+      visit(last, begin(ring));
+    }
+  }
+
  private:
   // Apart from the code of the first ring, which is that of polygons without holes.
   [[nodiscard, gnu::cold]] Index later_ring_of(Index i) const;

@@ -68,13 +68,12 @@ void place_vertices(const Boundary& polygon, const CoarseGrid& grid, PlacedVerte
   for (Index i = 0; i < polygon.size(); ++i) {
     vertices[i].point = point(i);
   }
-  for (Index i = 0; i < polygon.size(); ++i) {
-    const Index next = polygon.next(i);
+  polygon.layout.for_each_edge([&](Index i, Index next) {
     const FourShorts& p = vertices[i].point;
     const FourShorts& q = vertices[next].point;
     vertices[i].box = FourShorts{std::min(p[0], q[0]), std::min(p[1], q[1]), std::max(p[0], q[0]),
                                  std::max(p[1], q[1])};
-  }
+  });
 }
 
 struct BoxedEdge {
@@ -117,13 +116,13 @@ bool CoarseGrid::is_fine_enough(const Operands& operands) const {
   const double shortest = 2 / scale_;
   const auto most_are_longer = [&](const Boundary& polygon) {
     std::size_t short_edges = 0;
-    for (Index i = 0; i < polygon.size(); ++i) {
+    polygon.layout.for_each_edge([&](Index i, Index next) {
       const Point& p = polygon.vertices[i];
-      const Point& q = polygon.vertices[polygon.next(i)];
+      const Point& q = polygon.vertices[next];
       if (std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= shortest) {
         ++short_edges;
       }
-    }
+    });
     return short_edges <= polygon.size() / 8;
   };
   return scale_ > 0 && std::isfinite(scale_) && most_are_longer(operands.a) &&

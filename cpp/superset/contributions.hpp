@@ -66,9 +66,14 @@ struct RankedEdges {
 // Calls visit(vertex, in, out) for each convex vertex of a polygon, with its cone.
 template <class Visit>
 void for_each_cone(const Boundary& polygon, const Ranks& ranks, Visit visit) {
-  for (Index v = 0; v < polygon.size(); ++v) {
-    if (polygon.corners[v].convex) {
-      visit(v, ranks[polygon.previous(v)], ranks[v]);
+  for (Index ring = 0; ring < polygon.layout.ring_count(); ++ring) {
+    const Index end = polygon.layout.end(ring);
+    Index previous = end - 1;
+    for (Index v = polygon.layout.begin(ring); v < end; ++v) {
+      if (polygon.corners[v].convex) {
+        visit(v, ranks[previous], ranks[v]);
+      }
+      previous = v;
     }
   }
 }
