@@ -17,18 +17,18 @@ from ._facts import (
     Stats,
 )
 from ._ffi import Error, InputError
+from ._locating import Location
 from ._outer_face import OuterFace
-from ._polygon import Polygon, Simplified
-from ._region import (
+from ._parts import (
     PART_HOLE,
     PART_OUTER,
     PART_POINT,
     PART_SEGMENT,
-    Location,
-    Region,
     RegionPart,
     RegionPolygon,
 )
+from ._polygon import Polygon, Simplified
+from ._region import Region
 from ._region_sums import (
     entrance_region,
     inner_fit_region,

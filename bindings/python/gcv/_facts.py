@@ -89,6 +89,17 @@ class Result:
             raise fact.with_traceback(None)
         return fact
 
+    @property
+    def _doubles(self) -> bytes:
+        doubles: bytes = self._fact("doubles")
+        return doubles
+
+    @property
+    def stats(self) -> Stats:
+        """What the computation took."""
+        stats: Stats = self._fact("stats")
+        return stats
+
     def __reduce__(self) -> tuple[type[Result], tuple[None, dict[str, Any]]]:
         return type(self), (None, {name: self._known(name) for name in self._questions})
 

@@ -53,11 +53,6 @@ class OuterFace(Result, Shape):
 
     __slots__ = ()
 
-    @property
-    def _doubles(self) -> bytes:
-        doubles: bytes = self._fact("doubles")
-        return doubles
-
     def _numbered(self) -> Rings:
         return [self._doubles]
 
@@ -133,12 +128,6 @@ class OuterFace(Result, Shape):
         Its vertices have the numbers that they have in vertices.
         """
         return Polygon._of([self._doubles])
-
-    @property
-    def stats(self) -> Stats:
-        """What the computation took."""
-        stats: Stats = self._fact("stats")
-        return stats
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, OuterFace):

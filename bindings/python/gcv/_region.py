@@ -8,21 +8,17 @@ exactly, where points lie in them, and what they look like.
 
 from __future__ import annotations
 
-import struct
 from collections import Counter
 from collections.abc import Iterable, Iterator
-from ctypes import c_int8
-from enum import IntEnum
 from fractions import Fraction
-from typing import TYPE_CHECKING, Any, NamedTuple, Optional, TypeVar, overload
+from typing import TYPE_CHECKING, Any, overload
 
 from . import _ffi
-from ._coordinates import Points, Rings, point_or_points, points, size, split
+from ._coordinates import Points, Rings, point_or_points, points, split
 from ._drawing import plot, svg
 from ._facts import (
     EdgeSource,
     Result,
-    Stats,
     edge_sources,
     exact_points,
     indices,
@@ -34,57 +30,30 @@ from ._facts import (
     of_text,
     text,
 )
-from ._locating import BOUNDARY, INSIDE, OUTSIDE, located
+from ._locating import (
+    ExactPoints,
+    Location,
+    located_by_library,
+    located_in_fractions,
+    location,
+    locations,
+)
+from ._parts import (
+    PART_OUTER,
+    PART_POINT,
+    PART_SEGMENT,
+    RegionPart,
+    RegionPolygon,
+    by_polygon,
+    grouped,
+    parts_of,
+)
 from ._polygon import Polygon
-from ._shape import array_of, rings_as_geometry
+from ._shape import array_of, parts_as_geometry
 
 if TYPE_CHECKING:
     import numpy
     import numpy.typing
-
-PART_OUTER = 1
-"""The outer ring of a polygon, counter-clockwise."""
-PART_HOLE = 2
-"""The ring of a hole in the polygon before it, clockwise."""
-PART_SEGMENT = 3
-"""A segment: one polygon fits the other exactly, and has room along a line only."""
-PART_POINT = 4
-"""A point: one polygon fits the other exactly, and has no room at all."""
-
-_Vertex = TypeVar("_Vertex")
-
-
-class Location(IntEnum):
-    """Where a point lies."""
-
-    INSIDE = INSIDE
-    """In the interior of a polygon of the region."""
-    BOUNDARY = BOUNDARY
-    """On a ring, a segment or a point of it."""
-    OUTSIDE = OUTSIDE
-    """Elsewhere; holes are outside."""
-
-
-class RegionPart(NamedTuple):
-    """One part of a region: a ring, a segment or a point."""
-
-    kind: int
-    """One of the PART_ constants."""
-    polygon: Optional[int]
-    """The number of the polygon, from 0; None for segments and points."""
-    start: int
-    """The index of its first vertex."""
-    stop: int
-    """The index after that of its last vertex."""
-
-
-class RegionPolygon(NamedTuple):
-    """One polygon of a region in floats, each ring an array of shape (n, 2)."""
-
-    outer: numpy.typing.NDArray[numpy.float64]
-    """Counter-clockwise."""
-    holes: list[numpy.typing.NDArray[numpy.float64]]
-    """Clockwise."""
 
 
 class Region(Result):
@@ -114,17 +83,12 @@ class Region(Result):
     __slots__ = ()
 
     @property
-    def _doubles(self) -> bytes:
-        doubles: bytes = self._fact("doubles")
-        return doubles
-
-    @property
     def parts(self) -> list[RegionPart]:
         """The parts in the order of their vertices.
 
         The vertices of a part are vertices[part.start:part.stop].
         """
-        return _parts(self._fact("parts"))
+        return parts_of(self._fact("parts"))
 
     @property
     def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -148,7 +112,7 @@ class Region(Result):
         The rings look at the memory of vertices. polygon(k) and iteration give a Polygon.
         """
         return [
-            RegionPolygon(outer, holes) for outer, *holes in _by_polygon(self.parts, self.vertices)
+            RegionPolygon(outer, holes) for outer, *holes in by_polygon(self.parts, self.vertices)
         ]
 
     @property
@@ -182,7 +146,7 @@ class Region(Result):
         segments and points are each in lexicographic order. With a tolerance, the region
         is that of the simplified polygons.
         """
-        return _parts(self._fact("exact_parts"))
+        return parts_of(self._fact("exact_parts"))
 
     @property
     def exact(self) -> list[tuple[Fraction, Fraction]]:
@@ -269,12 +233,6 @@ class Region(Result):
         """
         return str(self._fact("fits_wkt"))
 
-    @property
-    def stats(self) -> Stats:
-        """What the computation took."""
-        stats: Stats = self._fact("stats")
-        return stats
-
     def polygon(self, number: int) -> Polygon:
         """One polygon with its holes, for the next sum; made at each call.
 
@@ -295,7 +253,7 @@ class Region(Result):
         """The rings of each polygon, as doubles."""
         parts = self.parts
         doubles = split(self._doubles, (part.stop - part.start for part in parts))
-        return _grouped(parts, doubles)
+        return grouped(parts, doubles)
 
     @overload
     def locate(self, points: tuple[float, float]) -> Location: ...
@@ -317,28 +275,16 @@ class Region(Result):
         Raises InputError for what is no point, and for a NaN or an infinity.
         """
         doubles, is_one = point_or_points(points, "points")
-        located = (self._located_by_library if self._handle else self._located_here)(doubles)
-        if is_one:
-            return Location(struct.unpack("b", located)[0])
-        try:
-            import numpy
-        except ImportError:
-            return [Location(place) for (place,) in struct.iter_unpack("b", located)]
-        return numpy.frombuffer(located, "int8").copy()
+        if self._handle:
+            located = located_by_library(self._handle, doubles)
+        else:
+            located = located_in_fractions(doubles, *self._exact_rings_and_fits())
+        return location(located) if is_one else locations(located)
 
-    def _located_by_library(self, doubles: bytes) -> bytes:
-        located = (c_int8 * size(doubles))()
-        try:
-            _ffi.region_locate(self._handle, doubles, len(located), located)
-        except _ffi.Error as error:
-            raise _of_points(error) from None
-        return bytes(located)
-
-    def _located_here(self, doubles: bytes) -> bytes:
+    def _exact_rings_and_fits(self) -> tuple[list[ExactPoints], list[ExactPoints]]:
         parts, vertices = self.exact_parts, self.exact
         fits = [vertices[part.start : part.stop] for part in parts if part.polygon is None]
-        rings = [ring for polygon in _by_polygon(parts, vertices) for ring in polygon]
-        return struct.pack(f"{size(doubles)}b", *located(points(doubles), rings, fits))
+        return [ring for polygon in by_polygon(parts, vertices) for ring in polygon], fits
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:
@@ -347,21 +293,10 @@ class Region(Result):
         A MultiPolygon where there are neither segments nor points; otherwise a
         GeometryCollection of a Polygon, a LineString or a Point for each of its parts.
         """
-        polygons = [rings_as_geometry(rings) for rings in self._ring_points()]
-        fits = self._fit_points()
-        if not fits:
-            return {"type": "MultiPolygon", "coordinates": tuple(polygons)}
-        geometries = [{"type": "Polygon", "coordinates": rings} for rings in polygons]
-        geometries += [
-            {"type": "LineString", "coordinates": tuple(ends)}
-            if len(ends) == 2
-            else {"type": "Point", "coordinates": ends[0]}
-            for ends in fits
-        ]
-        return {"type": "GeometryCollection", "geometries": geometries}
+        return parts_as_geometry(self._ring_points(), self._fit_points())
 
     def _ring_points(self) -> list[list[Points]]:
-        return _by_polygon(self.parts, points(self._doubles))
+        return by_polygon(self.parts, points(self._doubles))
 
     def _fit_points(self) -> list[Points]:
         vertices = points(self._doubles)
@@ -425,36 +360,6 @@ class Region(Result):
         counts = Counter(part.kind for part in self.parts)
         phrases = [f"{n} {words[kind]}{'s' if n > 1 else ''}" for kind, n in sorted(counts.items())]
         return f"<gcv.Region of {', '.join(phrases) or 'no parts'}>"
-
-
-def _parts(parts: bytes) -> list[RegionPart]:
-    result, start = [], 0
-    for kind, polygon, count in struct.iter_unpack("=iIQ", parts):
-        number = None if polygon == _ffi.NO_POLYGON else polygon
-        result.append(RegionPart(kind, number, start, start + count))
-        start += count
-    return result
-
-
-def _grouped(parts: list[RegionPart], of_parts: list[_Vertex]) -> list[list[_Vertex]]:
-    """What belongs to the rings of each polygon, of what belongs to each part."""
-    polygons: list[list[_Vertex]] = []
-    for part, of_part in zip(parts, of_parts):
-        if part.kind == PART_OUTER:
-            polygons.append([of_part])
-        elif part.kind == PART_HOLE:
-            polygons[-1].append(of_part)
-    return polygons
-
-
-def _by_polygon(parts: list[RegionPart], vertices: Any) -> list[list[Any]]:
-    """The vertices of the rings of each polygon."""
-    return _grouped(parts, [vertices[part.start : part.stop] for part in parts])
-
-
-def _of_points(error: _ffi.Error) -> _ffi.Error:
-    """The same failure, of the points by the name that they have here."""
-    return type(error)(error.status, str(error).replace("xy:", "points:", 1))
 
 
 def _exact(region: _ffi.Region) -> list[str]:

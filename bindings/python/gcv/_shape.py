@@ -127,3 +127,18 @@ def array_of(doubles: bytes) -> numpy.typing.NDArray[numpy.float64]:
 def rings_as_geometry(rings: list[Points]) -> tuple[Any, ...]:
     """The coordinates of a polygon in GeoJSON: closed rings."""
     return tuple((*ring, ring[0]) for ring in rings)
+
+
+def parts_as_geometry(polygons: list[list[Points]], fits: list[Points]) -> dict[str, Any]:
+    """Polygons, each of its rings, and fits: segments of two points and single points."""
+    coordinates = [rings_as_geometry(rings) for rings in polygons]
+    if not fits:
+        return {"type": "MultiPolygon", "coordinates": tuple(coordinates)}
+    geometries = [{"type": "Polygon", "coordinates": rings} for rings in coordinates]
+    geometries += [
+        {"type": "LineString", "coordinates": tuple(ends)}
+        if len(ends) == 2
+        else {"type": "Point", "coordinates": ends[0]}
+        for ends in fits
+    ]
+    return {"type": "GeometryCollection", "geometries": geometries}

@@ -22,7 +22,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from matplotlib import pyplot
 from matplotlib.patches import PathPatch
-from shapes import SQUARE, Points, points, star
+from shapes import SQUARE, Points, pairs, points, star
 from test_pictures import corners
 
 import gcv
@@ -41,7 +41,7 @@ RAISED = shapely.Polygon([(*vertex, 3) for vertex in OUTER], [[(*vertex, 5) for 
 
 
 def rings_of(polygon: gcv.Polygon) -> list[Points]:
-    return [[(float(x), float(y)) for x, y in ring] for ring in polygon.rings]
+    return [pairs(ring) for ring in polygon.rings]
 
 
 def area(rings: list[Points]) -> Fraction:

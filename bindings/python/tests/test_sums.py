@@ -17,6 +17,7 @@ import shapely
 from shapes import (
     BOW_TIE,
     BUMPY,
+    HUGE,
     NOTCHED,
     SQUARE,
     SQUARE_2,
@@ -30,8 +31,6 @@ from shapes import (
 )
 
 import gcv
-
-HUGE = scaled(SQUARE, 1e308)
 
 
 def test_squares() -> None:
