@@ -11,6 +11,10 @@
 use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
 
+mod region;
+
+pub use region::*;
+
 pub type gcv_status = i32;
 
 pub const GCV_OK: gcv_status = 0;
@@ -36,15 +40,6 @@ pub const GCV_EDGE_TRANSLATED: i32 = 1;
 pub const GCV_EDGE_CORNER: i32 = 2;
 pub const GCV_EDGE_TRANSLATED_CORNER: i32 = 3;
 
-pub const GCV_PART_OUTER: i32 = 1;
-pub const GCV_PART_HOLE: i32 = 2;
-pub const GCV_PART_SEGMENT: i32 = 3;
-pub const GCV_PART_POINT: i32 = 4;
-
-pub const GCV_INSIDE: i8 = 1;
-pub const GCV_BOUNDARY: i8 = 0;
-pub const GCV_OUTSIDE: i8 = -1;
-
 /// What only the library can make, move and share.
 type Opaque = PhantomData<(*mut u8, PhantomPinned)>;
 
@@ -56,12 +51,6 @@ pub struct gcv_polygon {
 
 #[repr(C)]
 pub struct gcv_outer_face {
-    data: [u8; 0],
-    marker: Opaque,
-}
-
-#[repr(C)]
-pub struct gcv_region {
     data: [u8; 0],
     marker: Opaque,
 }
@@ -103,14 +92,6 @@ pub struct gcv_stats {
     pub predicates_rational: u64,
     pub vertices_repaired: u64,
     pub parts_dropped: u64,
-}
-
-#[repr(C)]
-#[derive(Clone, Copy, Debug, Default)]
-pub struct gcv_region_part {
-    pub kind: i32,
-    pub polygon: u32,
-    pub vertex_count: u64,
 }
 
 #[repr(C)]
@@ -277,121 +258,6 @@ extern "C" {
         out: *mut *mut gcv_polygon,
     ) -> gcv_status;
     pub fn gcv_outer_face_stats(face: *const gcv_outer_face, out: *mut gcv_stats) -> gcv_status;
-
-    pub fn gcv_minkowski_sum_region(
-        a: *const gcv_polygon,
-        b: *const gcv_polygon,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-    ) -> gcv_status;
-    pub fn gcv_minkowski_sum_region_many(
-        a: *const *const gcv_polygon,
-        b: *const *const gcv_polygon,
-        count: usize,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-        statuses: *mut gcv_status,
-    ) -> gcv_status;
-    pub fn gcv_no_fit_region(
-        fixed: *const gcv_polygon,
-        moving: *const gcv_polygon,
-        reference: *const f64,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-    ) -> gcv_status;
-    pub fn gcv_no_fit_region_many(
-        fixed: *const *const gcv_polygon,
-        moving: *const *const gcv_polygon,
-        references: *const f64,
-        count: usize,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-        statuses: *mut gcv_status,
-    ) -> gcv_status;
-    pub fn gcv_entrance_region(
-        a: *const gcv_polygon,
-        b: *const gcv_polygon,
-        a0: *const f64,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-    ) -> gcv_status;
-    pub fn gcv_inner_fit_region(
-        container: *const gcv_polygon,
-        moving: *const gcv_polygon,
-        reference: *const f64,
-        options: *const gcv_options,
-        out: *mut *mut gcv_region,
-    ) -> gcv_status;
-    pub fn gcv_region_destroy(region: *mut gcv_region);
-    pub fn gcv_region_parts(
-        region: *const gcv_region,
-        out: *mut gcv_region_part,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_vertices(
-        region: *const gcv_region,
-        xy: *mut f64,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_exact_parts(
-        region: *const gcv_region,
-        out: *mut gcv_region_part,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_exact_vertex(
-        region: *const gcv_region,
-        index: usize,
-        text: *mut c_char,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_exact_indices(
-        region: *const gcv_region,
-        out: *mut u64,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_edge_sources(
-        region: *const gcv_region,
-        out: *mut gcv_edge_source,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_edge_owners(
-        region: *const gcv_region,
-        ids: *mut u64,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_area(region: *const gcv_region, out: *mut f64) -> gcv_status;
-    pub fn gcv_region_error_bound(region: *const gcv_region, out: *mut f64) -> gcv_status;
-    pub fn gcv_region_wkt(
-        region: *const gcv_region,
-        text: *mut c_char,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_fits_wkt(
-        region: *const gcv_region,
-        text: *mut c_char,
-        capacity: usize,
-        required: *mut usize,
-    ) -> gcv_status;
-    pub fn gcv_region_polygon(
-        region: *const gcv_region,
-        polygon: usize,
-        out: *mut *mut gcv_polygon,
-    ) -> gcv_status;
-    pub fn gcv_region_locate(
-        region: *const gcv_region,
-        xy: *const f64,
-        count: usize,
-        out: *mut i8,
-    ) -> gcv_status;
-    pub fn gcv_region_stats(region: *const gcv_region, out: *mut gcv_stats) -> gcv_status;
 
     pub fn gcv_superset_create(
         a: *const gcv_polygon,

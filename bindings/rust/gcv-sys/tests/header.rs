@@ -15,7 +15,10 @@ use gcv_sys::*;
 const INCLUDE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/libgcv/capi/include");
 const HEADER: &str = include_str!("../libgcv/capi/include/gcv/gcv.h");
 const MAP: &str = include_str!("../libgcv/capi/gcv.map");
-const DECLARATIONS: &str = include_str!("../src/lib.rs");
+const DECLARATIONS: &str = concat!(
+    include_str!("../src/lib.rs"),
+    include_str!("../src/region.rs")
+);
 
 /// Whether the C compiler takes what is added to the header.
 fn compiles(c: &str) -> bool {

@@ -33,8 +33,10 @@ mod exact;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod handle;
+mod location;
 mod options;
 mod outer_face;
+mod part;
 mod point;
 mod polygon;
 mod region;
@@ -44,11 +46,13 @@ mod stats;
 mod sums;
 
 pub use error::{status, Error, ErrorKind};
+pub use location::Location;
 pub use options::{Options, Rounding};
 pub use outer_face::OuterFace;
+pub use part::{Part, PartKind};
 pub use point::Point;
 pub use polygon::Polygon;
-pub use region::{Location, Part, PartKind, Region};
+pub use region::Region;
 pub use regions::{
     entrance_region, inner_fit_region, minkowski_sum_region, minkowski_sum_region_many,
     no_fit_region, no_fit_region_many,

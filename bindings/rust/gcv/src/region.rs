@@ -3,14 +3,14 @@
 
 use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::ops::Range;
 
 use gcv_sys as sys;
 
 use crate::call::{check, count, create, elements, string, value, INFALLIBLE};
 use crate::handle::Handle;
+use crate::part::placed;
 use crate::polygon::hash_ring;
-use crate::{stats, EdgeSource, Error, Point, Polygon, Stats};
+use crate::{stats, EdgeSource, Error, Location, Part, PartKind, Point, Polygon, Stats};
 
 /// Polygons with holes, segments and points: a whole sum, or where a polygon may go inside a
 /// container.
@@ -359,80 +359,5 @@ impl Eq for Region {}
 impl Hash for Region {
     fn hash<H: Hasher>(&self, state: &mut H) {
         hash_ring(&self.vertices(), state);
-    }
-}
-
-/// One part of a region.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Part {
-    /// What it is.
-    pub kind: PartKind,
-    /// Which of the vertices of all parts it has.
-    pub vertices: Range<usize>,
-}
-
-/// What a part of a region is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum PartKind {
-    /// The outer ring of a polygon, counter-clockwise.
-    Outer {
-        /// The number of the polygon, from 0.
-        polygon: usize,
-    },
-    /// The ring of a hole, clockwise.
-    Hole {
-        /// The number of the polygon that it is in.
-        polygon: usize,
-    },
-    /// A segment: two vertices.
-    Segment,
-    /// A point: one vertex.
-    Point,
-}
-
-/// The parts with their places among the vertices of all of them.
-fn placed(parts: Vec<sys::gcv_region_part>) -> Vec<Part> {
-    let mut end = 0;
-    let place = |part: sys::gcv_region_part| {
-        let polygon = part.polygon as usize;
-        let kind = match part.kind {
-            sys::GCV_PART_OUTER => PartKind::Outer { polygon },
-            sys::GCV_PART_HOLE => PartKind::Hole { polygon },
-            sys::GCV_PART_SEGMENT => PartKind::Segment,
-            sys::GCV_PART_POINT => PartKind::Point,
-            kind => unreachable!("libgcv gives four kinds of parts, and gave {kind}"),
-        };
-        let start = end;
-        end += part.vertex_count as usize;
-        let vertices = start..end;
-        Part { kind, vertices }
-    };
-    parts.into_iter().map(place).collect()
-}
-
-/// Where a point lies in a region.
-///
-/// In a no-fit region, the two polygons overlap with the point inside, touch with it on the
-/// boundary, and are apart with it outside. In an inner-fit region, the polygon fits into the
-/// container with the point inside or on the boundary.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Location {
-    /// In the interior of a polygon, and on no segment and no point.
-    Inside,
-    /// On a ring, a segment or a point.
-    Boundary,
-    /// Anywhere else; a hole is outside.
-    Outside,
-}
-
-impl Location {
-    /// What the C interface calls so.
-    fn of(location: i8) -> Self {
-        match location {
-            sys::GCV_INSIDE => Self::Inside,
-            sys::GCV_BOUNDARY => Self::Boundary,
-            sys::GCV_OUTSIDE => Self::Outside,
-            _ => unreachable!("libgcv gives three locations, and gave {location}"),
-        }
     }
 }
