@@ -191,10 +191,8 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
   if (nearest.displacement == 0) {
     return nearest;
   }
-  RoundedRegion safe = nearest;
-  if (region.parts.size() > 1) {
-    safe = SafeRounder(sum_with, task, tally).run(nearest);
-  }
+  RoundedRegion safe = region.parts.size() > 1 ? SafeRounder(sum_with, task, tally).run(nearest)
+                                               : std::move(nearest);
   const std::size_t size = region.parts.front().size;
   ExactRing outer{region.a, region.b, region.shift, {}, region.chains_are_repeated, false};
   outer.vertices.assign(region.vertices.begin(),

@@ -2,175 +2,15 @@
 #include "covered_cells.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <utility>
+
+#include "bit_rows.hpp"
+#include "solid_cells.hpp"
 
 namespace gcv {
 
 namespace {
-
-using Word = std::uint64_t;
-constexpr std::uint32_t word_size = 64;
-
-// Calls visit(word, mask) for the words of a row with the bits from one to before another, until it
-// returns false.
-template <class Bits, class Visit>
-bool for_each_word(Bits* row, std::uint32_t from, std::uint32_t to, Visit visit) {
-  const std::uint32_t first = from / word_size;
-  const std::uint32_t last = (to - 1) / word_size;
-  for (std::uint32_t k = first; k <= last; ++k) {
-    Word mask = ~Word{0};
-    if (k == first) {
-      mask <<= from % word_size;
-    }
-    if (k == last) {
-      mask &= ~Word{0} >> (word_size - 1 - (to - 1) % word_size);
-    }
-    if (!visit(row[k], mask)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-void set(Word* row, std::uint32_t from, std::uint32_t to) {
-  for_each_word(row, from, to, [](Word& word, Word mask) {
-    word |= mask;
-    return true;
-  });
-}
-
-// Each bit becomes the parity of those up to it.
-Word parities(Word word) {
-  for (std::uint32_t shift = 1; shift < word_size; shift *= 2) {
-    word ^= word << shift;
-  }
-  return word;
-}
-
-// Cells in a row that lie inside a solid: from one to before another.
-struct Run {
-  std::uint32_t row;
-  std::uint32_t from;
-  std::uint32_t to;
-};
-
-// The cells of a grid that lie inside a solid, also if they are larger by the margin on each side.
-// The first cell begins in the corner of the bounds.
-class SolidCells {
- public:
-  SolidCells(const Boundary& solid, const Point& size, double margin)
-      : solid_(solid),
-        corner_{solid.bounds.x0 - solid.vertices.front().x,
-                solid.bounds.y0 - solid.vertices.front().y},
-        size_(size),
-        cells_a_unit_{1 / size.x, 1 / size.y},
-        margin_(margin),
-        columns_(count(solid.bounds.x1 - solid.bounds.x0, size.x)),
-        rows_(count(solid.bounds.y1 - solid.bounds.y0, size.y)),
-        words_((columns_ + word_size - 1) / word_size),
-        touched_(std::size_t{rows_} * words_),
-        crossed_(std::size_t{rows_} * words_) {
-    for (Index i = 0; i < solid_.size(); ++i) {
-      add_edge(at(i), at(solid_.next(i)));
-    }
-  }
-
-  [[nodiscard]] std::vector<Run> runs() const {
-    std::vector<Run> result;
-    const Word outside = solid_.kind == Boundary::Kind::outer ? 0 : ~Word{0};
-    for (std::uint32_t row = 0; row < rows_; ++row) {
-      Word before = outside;
-      Word last = 0;  // is the cell before the word inside?
-      std::uint32_t from = 0;
-      for (std::uint32_t k = 0; k < words_; ++k) {
-        const std::size_t at = std::size_t{row} * words_ + k;
-        const Word parity = parities(crossed_[at]) ^ before;
-        before = (parity >> (word_size - 1)) != 0 ? ~Word{0} : 0;
-        const Word inside = parity & ~touched_[at] & columns_of_word(k);
-        for (Word changes = inside ^ (inside << 1U | last); changes != 0; changes &= changes - 1) {
-          const auto bit = static_cast<std::uint32_t>(std::countr_zero(changes));
-          const std::uint32_t column = k * word_size + bit;
-          if ((inside >> bit & 1U) != 0) {
-            from = column;
-          } else {
-            result.push_back({row, from, column});
-          }
-        }
-        last = inside >> (word_size - 1);
-      }
-      if (last != 0) {
-        result.push_back({row, from, columns_});
-      }
-    }
-    return result;
-  }
-
- private:
-  static std::uint32_t count(double extent, double size) {
-    return static_cast<std::uint32_t>(extent / size) + 1;
-  }
-
-  // The bits of the columns that there are.
-  [[nodiscard]] Word columns_of_word(std::uint32_t k) const {
-    const std::uint32_t columns = columns_ - k * word_size;
-    return columns < word_size ? ~(~Word{0} << columns) : ~Word{0};
-  }
-
-  [[nodiscard]] Point at(Index i) const {
-    const Point p = solid_.relative(i);
-    return {p.x - corner_.x, p.y - corner_.y};
-  }
-  static std::uint32_t clamped(double place, std::uint32_t count) {
-    return place > 0 ? static_cast<std::uint32_t>(std::min(place, count - 1.0)) : 0;
-  }
-  [[nodiscard]] std::uint32_t column(double x) const {
-    return clamped(x * cells_a_unit_.x, columns_);
-  }
-  [[nodiscard]] std::uint32_t row(double y) const { return clamped(y * cells_a_unit_.y, rows_); }
-
-  void add_edge(const Point& p, const Point& q) {
-    const Point& low = p.y <= q.y ? p : q;
-    const Point& high = p.y <= q.y ? q : p;
-    const double slope = low.y == high.y ? 0 : (high.x - low.x) / (high.y - low.y);
-    const double left = std::min(p.x, q.x);
-    const double right = std::max(p.x, q.x);
-    const auto x_at = [&](double y) {
-      return y <= low.y    ? low.x
-             : y >= high.y ? high.x
-                           : std::min(std::max(low.x + (y - low.y) * slope, left), right);
-    };
-    const std::uint32_t last = row(high.y + margin_);
-    for (std::uint32_t k = row(low.y - margin_); k <= last; ++k) {
-      Word* const touched = &touched_[std::size_t{k} * words_];
-      const double y = k * size_.y;
-      double from = left;
-      double to = right;
-      if (low.y != high.y) {
-        from = x_at(y - margin_);
-        to = x_at(y + size_.y + margin_);
-      }
-      set(touched, column(std::min(from, to) - margin_), column(std::max(from, to) + margin_) + 1);
-      const double middle = y + size_.y / 2;
-      if (low.y <= middle && middle < high.y) {
-        const std::uint32_t c = column(x_at(middle));
-        crossed_[std::size_t{k} * words_ + c / word_size] ^= Word{1} << (c % word_size);
-      }
-    }
-  }
-
-  const Boundary& solid_;
-  Point corner_;
-  Point size_;
-  Point cells_a_unit_;
-  double margin_;
-  std::uint32_t columns_;
-  std::uint32_t rows_;
-  std::uint32_t words_;
-  std::vector<Word> touched_;  // cells that the boundary comes near
-  std::vector<Word> crossed_;  // where it crosses the middle of a row, an odd number of times
-};
 
 // With fewer pairs of vertices, a grid takes longer than what it saves.
 constexpr std::uint64_t fewest_pairs = 150;
@@ -200,8 +40,8 @@ CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(sla
   }
   const Box bounds = operands.relative_bounds();
   origin_ = {bounds.x0, bounds.y0};
-  std::vector<Run> of_a;
-  std::vector<Run> of_b;
+  std::vector<CellRun> of_a;
+  std::vector<CellRun> of_b;
   side_ = 2 * side_of_grid(pairs);
   do {
     side_ /= 2;
@@ -209,16 +49,16 @@ CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(sla
     if (!(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
       return;
     }
-    of_a = SolidCells(operands.a, size_, margin_).runs();
-    of_b = SolidCells(operands.b, size_, margin_).runs();
+    of_a = cells_inside(operands.a, size_, margin_);
+    of_b = cells_inside(operands.b, size_, margin_);
   } while (std::uint64_t{of_a.size()} * of_b.size() > most_sums);
   words_ = (side_ + word_size - 1) / word_size;
   last_ = side_ - 1;
   cells_a_unit_ = {1 / size_.x, 1 / size_.y};
   bits_.resize(std::size_t{side_} * words_);
   // The sum of two cells is a square of four: the lower two, then the upper two.
-  for (const Run& a : of_a) {
-    for (const Run& b : of_b) {
+  for (const CellRun& a : of_a) {
+    for (const CellRun& b : of_b) {
       const std::uint32_t row = a.row + b.row;
       const std::uint32_t from = a.from + b.from;
       if (row < side_ && from < side_) {

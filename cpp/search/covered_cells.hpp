@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "bit_rows.hpp"
 #include "box.hpp"
 #include "contributing_vertices.hpp"
 #include "witness.hpp"
@@ -32,9 +33,6 @@ class CoveredCells {
   [[nodiscard]] double reach(const RelativeLine& line, double t) const;
 
  private:
-  using Word = std::uint64_t;
-  static constexpr std::uint32_t word_size = 64;
-
   // The cell that holds a coordinate in cells, or the nearest one.
   [[nodiscard]] std::uint32_t cell(double place) const {
     return place > 0 ? static_cast<std::uint32_t>(place < last_ ? place : last_) : 0;

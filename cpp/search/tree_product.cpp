@@ -31,18 +31,11 @@ TreeProduct::TreeProduct(const Operands& operands, EqualChains chains)
          node_sectors(operands.b, operands.directions.rank_b), std::move(chains.b)},
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
-// Sector numbers grow with ranks, so a rank in the range lies in one of them.
-Sectors TreeProduct::sectors(Rank first, Rank last) const {
-  constexpr std::uint64_t most = 64;
-  const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
-  const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
-  const Sectors from_first = ~Sectors{0} << sector(first);
-  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
-  return first <= last ? from_first & to_last : from_first | to_last;
-}
-
 std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,
                                                                 const Ranks& ranks) const {
+  const auto sectors = [&](Rank first, Rank last) {
+    return sectors_of(operands_.directions, first, last);
+  };
   constexpr std::uint32_t width = ChainTree::width;
   const ChainTree& tree = polygon.index().tree;
   const std::vector<std::uint32_t>& first_block = tree.first_block;

@@ -15,13 +15,10 @@
 #include "box.hpp"
 #include "contributing_vertices.hpp"
 #include "equal_chains.hpp"
+#include "sectors.hpp"
 #include "vector.hpp"
 
 namespace gcv {
-
-// A set of directions, as up to 64 sectors of consecutive ranks: one rank each where
-// there are no more.
-using Sectors = std::uint64_t;
 
 // What searches allow for roundings of relative coordinates: 2^-47 times the extents of both
 // polygons.
@@ -202,8 +199,6 @@ class TreeProduct {
     }
   };
 
-  // The sectors of the ranks counter-clockwise from first to last; never a full turn.
-  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
   template <class Place>
   [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
     const Box& box = tree.boxes.box;

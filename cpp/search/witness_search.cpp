@@ -239,19 +239,12 @@ bool WitnessSearch::is_covered(const Nodes& nodes) const {
   return (last_ && last_->holds(box)) || cells_.hold(box);
 }
 
-// Sector numbers grow with ranks, so a rank in the range lies in one of them.
-WitnessSearch::Sectors WitnessSearch::sectors(Rank first, Rank last) const {
-  constexpr std::uint64_t most = 64;
-  const std::uint64_t turn = 2 * std::uint64_t{operands_.directions.half_turn};
-  const auto sector = [&](Rank rank) { return turn <= most ? rank : rank * most / turn; };
-  const Sectors from_first = ~Sectors{0} << sector(first);
-  const Sectors to_last = ~Sectors{0} >> (most - 1 - sector(last));
-  return first <= last ? from_first & to_last : from_first | to_last;
-}
-
 std::vector<WitnessSearch::Below> WitnessSearch::all_below(const ChordTree& tree,
                                                            const Boundary& polygon,
                                                            const Ranks& ranks) const {
+  const auto sectors = [&](Rank first, Rank last) {
+    return sectors_of(operands_.directions, first, last);
+  };
   std::vector<Below> result(tree.blocks.size() * ChordTree::width);
   for (std::size_t k = result.size(); k-- > 0;) {
     const auto node = static_cast<ChordTree::Node>(k);

@@ -9,6 +9,7 @@
 #include "chord_tree.hpp"
 #include "contributing_vertices.hpp"
 #include "covered_cells.hpp"
+#include "sectors.hpp"
 #include "witness.hpp"
 
 namespace gcv {
@@ -118,9 +119,6 @@ class WitnessSearch {
   // Do covered cells hold the sum of the nodes, or does the last witness?
   [[nodiscard]] bool is_covered(const Nodes& nodes) const;
 
-  // Directions as sets of up to 64 sectors of ranks.
-  using Sectors = std::uint64_t;
-  [[nodiscard]] Sectors sectors(Rank first, Rank last) const;
   // What is below a node: the directions of edges and cones, and how many edges.
   struct Below {
     Sectors edges = 0;
@@ -152,7 +150,7 @@ template <class Visit, class Pass>
 void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) {
   const Directions& directions = operands_.directions;
   const Rank half = directions.half_turn;
-  const Sectors wanted = sectors(first, (first + half - 1) % (2 * half));
+  const Sectors wanted = sectors_of(directions, first, (first + half - 1) % (2 * half));
   const std::vector<Below> below_a = all_below(a_, operands_.a, directions.rank_a);
   const std::vector<Below> below_b = all_below(b_, operands_.b, directions.rank_b);
   const auto visit_edge = [&](const PairEdge& edge, bool contributes) {

@@ -165,7 +165,7 @@ std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const Rel
   if (place.is_sum) {
     return place;
   }
-  const PairEdge& f = place.crossing;
+  const EdgeName& f = place.crossing;
   const bool is_translated = f.kind == PairEdge::translated;
   const WitnessSearch::Pair before = is_translated
                                          ? WitnessSearch::Pair{f.i, operands_.b.previous(f.j)}
@@ -173,9 +173,8 @@ std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const Rel
   for (const WitnessSearch::Pair& pair : {WitnessSearch::Pair{f.i, f.j}, before}) {
     const std::optional<Sides> sides = sides_of(pair);
     const auto holds = [&](const Side& side) {
-      const PairEdge& edge = side.line.edge;
-      const bool is_f = edge.kind == f.kind && edge.i == f.i && edge.j == f.j;
-      const int here = is_f ? 0 : places.side_of(side.line, place);
+      const EdgeName& edge = side.line.edge;
+      const int here = edge == f ? 0 : places.side_of(side.line, place);
       return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
     };
     if (sides && std::all_of(std::begin(sides->side), std::end(sides->side), holds)) {

@@ -85,8 +85,7 @@ class CycleSearch {
   static PairEdge unranked(const EdgeName& edge) { return {edge, 0}; }
 
   [[nodiscard]] bool is_number_of(const EdgeName& e, Index number) const {
-    const EdgeName& f = cycle_.edge(number);
-    return e.kind == f.kind && e.i == f.i && e.j == f.j;
+    return e == cycle_.edge(number);
   }
 
   // Are parallel edges opposite to each other?

@@ -14,6 +14,7 @@
 #include "half_plane.hpp"
 #include "known_runs.hpp"
 #include "search.hpp"
+#include "tree_product.hpp"
 #include "turns.hpp"
 #include "walker.hpp"
 
@@ -27,7 +28,7 @@ class Finder {
   Finder(const Operands& operands, Task& task, Tally& tally)
       : operands_(operands),
         task_(task),
-        runs_(operands, tally),
+        runs_(operands, slack_of(operands), tally),
         known_(operands, tally),
         fits_(operands, tally) {}
 
@@ -37,7 +38,7 @@ class Finder {
     outer_ = &ring;
   }
 
-  void known_runs(const PlacesOnLine& places, std::vector<EdgeCover::Run>& runs) const {
+  void known_runs(const PlacesOnLine& places, std::vector<EdgeCover::Run>& runs) {
     runs_.for_each(places.line().edge, [&](const KnownRuns::Run& run) {
       runs.push_back(
           {places.place(run.from, run.from.arriving()), places.place(run.to, run.to.leaving())});

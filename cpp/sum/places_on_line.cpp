@@ -44,9 +44,9 @@ int PlacesOnLine::compare(const Place& p, const Place& q) const {
     const Line r = Line::of(operands_, p.crossing);
     return -turn_from(r) * side_of_sum(r, q.sum);
   }
-  const PairEdge& e = p.crossing;
-  const PairEdge& f = q.crossing;
-  if (e.kind == f.kind && e.i == f.i && e.j == f.j) {
+  const EdgeName& e = p.crossing;
+  const EdgeName& f = q.crossing;
+  if (e == f) {
     ++tally_.filtered;
     return 0;
   }

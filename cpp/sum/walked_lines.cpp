@@ -2,32 +2,22 @@
 #include "walked_lines.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "predicates.hpp"
-#include "vector.hpp"
 
 namespace gcv {
 
 WalkedLines::WalkedLines(const Operands& operands, double slack, Tally& tally)
     : operands_(operands),
-      unit_(8 * slack),
       tally_(tally),
-      edges_of_rank_(2 * std::size_t{operands.directions.half_turn}) {
+      edges_of_rank_(2 * std::size_t{operands.directions.half_turn}),
+      lines_(operands, slack, tally) {
   for (const Ranks* ranks : {&operands.directions.rank_a, &operands.directions.rank_b}) {
     for (const Rank rank : *ranks) {
       ++edges_of_rank_[rank];
     }
   }
-}
-
-std::int64_t WalkedLines::place_of(const PairEdge& s) const {
-  const auto [from, to] = operands_.source(s);
-  const Point unit = unit_vector(direction(from, to));
-  const Point p = operands_.relative_start(s);
-  const double place = std::floor((unit.x * p.y - unit.y * p.x) / unit_);
-  return std::abs(place) < 0x1p62 ? static_cast<std::int64_t>(place) : 0;
 }
 
 int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q) {
@@ -47,39 +37,13 @@ int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const Vert
   return from.y < to.y ? order : -order;
 }
 
-std::uint64_t WalkedLines::key(const PairEdge& s, std::int64_t place) {
-  return static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15U + s.rank;
-}
-
-WalkedLines::Line* WalkedLines::line_of(const PairEdge& s) {
-  const std::int64_t place = place_of(s);
-  for (const std::int64_t near : {place, place - 1, place + 1}) {
-    const auto lines = lines_.find(key(s, near));
-    if (lines == lines_.end()) {
-      continue;
-    }
-    for (Line& line : lines->second) {
-      if (line.edge.rank == s.rank &&
-          side(coordinates(operands_.a, operands_.b, line.edge), operands_.start(s), tally_) == 0) {
-        return &line;
-      }
-    }
-  }
-  return nullptr;
-}
-
 bool WalkedLines::hold(const PairEdge& s) {
   if (edges_of_rank_[s.rank] == 1) {
     return false;
   }
   const Part part{start_of(s), end_of(operands_, s)};
-  Line* const line = line_of(s);
-  if (line == nullptr) {
-    lines_[key(s, place_of(s))].push_back({s, {part}});
-    return false;
-  }
+  std::vector<Part>& parts = lines_.at(s);
   // Those that end before it begins, and then those that begin before it ends.
-  std::vector<Part>& parts = line->parts;
   const auto first = std::partition_point(parts.begin(), parts.end(), [&](const Part& other) {
     return compare_along(s, other.to, part.from) > 0;
   });

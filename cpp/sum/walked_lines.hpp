@@ -5,10 +5,10 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "contributing_vertices.hpp"
+#include "edge_lines.hpp"
 #include "tally.hpp"
 
 namespace gcv {
@@ -28,25 +28,13 @@ class WalkedLines {
     VertexSum from;
     VertexSum to;
   };
-  struct Line {
-    PairEdge edge;            // that lies on it
-    std::vector<Part> parts;  // in order, apart from one another
-  };
-
-  // The place of the line of the edge, in units of several times the slack; the same for all edges
-  // on it, or next to that.
-  [[nodiscard]] std::int64_t place_of(const PairEdge& s) const;
-  static std::uint64_t key(const PairEdge& s, std::int64_t place);
-  // Null if nothing on it was walked.
-  Line* line_of(const PairEdge& s);
   // The sign of the way from p to q along the edge.
   int compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q);
 
   const Operands& operands_;
-  double unit_;
   Tally& tally_;
   std::vector<std::uint32_t> edges_of_rank_;
-  std::unordered_map<std::uint64_t, std::vector<Line>> lines_;
+  EdgeLines<std::vector<Part>> lines_;  // their parts, in order, apart from one another
 };
 
 }  // namespace gcv

@@ -34,6 +34,8 @@ struct EdgeName {
   Kind kind;
   Index i;
   Index j;
+
+  friend bool operator==(const EdgeName&, const EdgeName&) = default;
 };
 
 // Such an edge.

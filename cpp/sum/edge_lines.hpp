@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "contributing_vertices.hpp"
+#include "predicates.hpp"
+#include "tally.hpp"
+#include "vector.hpp"
+
+namespace gcv {
+
+// The directed lines that superset edges lie on, each with a value. Edges that overlap have several
+// names and one line. Lines are found by their places in doubles, and compared exactly.
+template <class Value>
+class EdgeLines {
+ public:
+  // `slack`: how far coordinates of points in relative coordinates may be off.
+  EdgeLines(const Operands& operands, double slack, Tally& tally)
+      : operands_(operands), unit_(8 * slack), tally_(tally) {}
+
+  // Null if it is not there.
+  Value* find(const PairEdge& s) {
+    const std::int64_t place = place_of(s);
+    for (const std::int64_t near : {place, place - 1, place + 1}) {
+      const auto lines = lines_.find(key(s, near));
+      if (lines == lines_.end()) {
+        continue;
+      }
+      for (Line& line : lines->second) {
+        if (holds(line, s)) {
+          return &line.value;
+        }
+      }
+    }
+    return nullptr;
+  }
+
+  // Adds it, if it is not there.
+  Value& at(const PairEdge& s) {
+    if (Value* const value = find(s)) {
+      return *value;
+    }
+    std::vector<Line>& lines = lines_[key(s, place_of(s))];
+    lines.push_back({s, {}});
+    return lines.back().value;
+  }
+
+ private:
+  struct Line {
+    PairEdge edge;  // that lies on it
+    Value value;
+  };
+
+  // In units of several times the slack: the same for all edges on a line, or next to that.
+  [[nodiscard]] std::int64_t place_of(const PairEdge& s) const {
+    const auto [from, to] = operands_.source(s);
+    const Point unit = unit_vector(direction(from, to));
+    const Point p = operands_.relative_start(s);
+    const double place = std::floor((unit.x * p.y - unit.y * p.x) / unit_);
+    return std::abs(place) < 0x1p62 ? static_cast<std::int64_t>(place) : 0;
+  }
+  static std::uint64_t key(const PairEdge& s, std::int64_t place) {
+    return static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15U + s.rank;
+  }
+  bool holds(const Line& line, const PairEdge& s) {
+    const EdgeName& name = line.edge;
+    return name == s ||
+           (line.edge.rank == s.rank && side(coordinates(operands_.a, operands_.b, line.edge),
+                                             operands_.start(s), tally_) == 0);
+  }
+
+  const Operands& operands_;
+  double unit_;
+  Tally& tally_;
+  std::unordered_map<std::uint64_t, std::vector<Line>> lines_;
+};
+
+}  // namespace gcv
