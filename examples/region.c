@@ -104,6 +104,16 @@ static void free_parts(parts *p) {
   free(p->xy);
 }
 
+/* Of all rings. */
+static bool vertex_count(const gcv_polygon *polygon, size_t *out) {
+  size_t rings, count;
+  *out = 0;
+  if (!check(gcv_polygon_ring_count(polygon, &rings), "rings")) return false;
+  for (size_t k = 0; k < rings; ++k, *out += count)
+    if (!check(gcv_polygon_ring(polygon, k, NULL, 0, &count), "vertices")) return false;
+  return true;
+}
+
 /* The rings of a polygon, as the parts that they would be. */
 static bool polygon_parts(const gcv_polygon *polygon, parts *out) {
   if (!check(gcv_polygon_ring_count(polygon, &out->count), "rings")) return false;
@@ -180,7 +190,7 @@ static bool write_exact(const options *o, const results *r, FILE *file) {
 
 static bool write_stats(const options *o, const results *r, FILE *file) {
   (void)o;
-  size_t a, b; /* vertices of the outer rings */
+  size_t a, b;
   double bound, area;
   gcv_stats stats = {.struct_size = sizeof stats};
   gcv_status area_status = gcv_region_area(r->region, &area);
@@ -189,8 +199,7 @@ static bool write_stats(const options *o, const results *r, FILE *file) {
   else if (!check(area_status, "area"))
     return false;
 
-  if (!check(gcv_polygon_vertex_count(r->a, &a), "A") ||
-      !check(gcv_polygon_vertex_count(r->b, &b), "B") ||
+  if (!vertex_count(r->a, &a) || !vertex_count(r->b, &b) ||
       !check(gcv_region_error_bound(r->region, &bound), "error bound") ||
       !check(gcv_region_stats(r->region, &stats), "statistics")) {
     return false;

@@ -123,6 +123,8 @@ struct reports {
   int count;
   int cancel_at; /* the call that returns non-zero; 0: none */
   uint64_t done;
+  uint64_t estimate;
+  int estimates; /* how many there were, one after another */
   int wrong;
   pthread_t thread;
 };
@@ -132,6 +134,8 @@ static int32_t record(void *context, uint64_t done, uint64_t estimate) {
   if (done < reports->done || estimate < done) reports->wrong = 1;
   if (!pthread_equal(reports->thread, pthread_self())) reports->wrong = 1;
   reports->done = done;
+  if (reports->count == 0 || estimate != reports->estimate) ++reports->estimates;
+  reports->estimate = estimate;
   return ++reports->count == reports->cancel_at ? 7 : 0;
 }
 
@@ -178,6 +182,18 @@ static void progress_is_reported(void) {
   }
   gcv_polygon_destroy(large);
   gcv_polygon_destroy(small);
+}
+
+/* A bar that shows it does not stand at its end: only the last report may correct the estimate. */
+static void estimate_of_a_region_lasts(void) {
+  gcv_polygon *large = star(100, 3);
+  gcv_region *region = NULL;
+  struct reports reports;
+  gcv_options options = reporting(&reports, 0, 1);
+  CHECK_OK(gcv_minkowski_sum_region(large, large, &options, &region));
+  CHECK(reports.count >= 6 && reports.estimates <= 2 && !reports.wrong);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(large);
 }
 
 static void many(void) {
@@ -410,6 +426,7 @@ int main(void) {
   many_threads_are_no_more();
   threads_are_checked();
   progress_is_reported();
+  estimate_of_a_region_lasts();
   many();
   regions();
   regions_at_the_same_time();

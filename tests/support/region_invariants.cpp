@@ -72,17 +72,8 @@ Parts parts_of(const gcv_region* region,
 Ring exact_points(const gcv_region* region) {
   std::size_t count = 0;
   require(gcv_region_edge_sources(region, nullptr, 0, &count), "the number of exact vertices");
-  Ring points;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t length = 0;
-    require(gcv_region_exact_vertex(region, k, nullptr, 0, &length), "a length");
-    std::string text(length, ' ');
-    require(gcv_region_exact_vertex(region, k, text.data(), length, &length), "an exact vertex");
-    const std::size_t space = text.find(' ');
-    points.push_back(
-        {Rational(text.substr(0, space)), Rational(text.substr(space + 1, length - space - 2))});
-  }
-  return points;
+  return invariants::exact_points(
+      count, [&](auto... arguments) { return gcv_region_exact_vertex(region, arguments...); });
 }
 
 Region read(gcv_region* handle) {
