@@ -65,7 +65,7 @@ Ring exact_points(std::size_t count, Read read) {
   Ring points;
   for (std::size_t k = 0; k < count; ++k) {
     std::size_t length = 0;
-    require(read(k, nullptr, 0, &length), "a length");
+    require(read(k, nullptr, std::size_t{0}, &length), "a length");
     std::string text(length, ' ');
     require(read(k, text.data(), length, &length), "an exact vertex");
     const std::size_t space = text.find(' ');
