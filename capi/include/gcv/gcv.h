@@ -1168,6 +1168,145 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_locate(const gcv_region *region, con
  */
 GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_stats *out);
 
+/* ----------------------------------------------------------- two polygons -- */
+
+/*
+ * Questions about two polygons A and B, of which B is moved by a translation t: B + t, exactly.
+ * Its coordinates are sums of two doubles and are never rounded, so a translation may lead beyond
+ * the range of doubles. Holes count: B in a hole of A does not overlap A.
+ *
+ * Each function takes `count` translations at once: x0 y0 x1 y1 ..., finite; with count 0 nothing
+ * is read or written. All or nothing: on failure no result is written. Messages name the number of
+ * the translation. options.threads share the translations. options.progress counts them. Nothing
+ * is built for a pair: the first question to a polygon prepares it, later ones find that done.
+ */
+
+/** How two polygons lie. @since 0.2 */
+enum {
+  /** They have no point in common. */
+  GCV_APART = 1,
+  /** Their boundaries meet, their interiors do not. */
+  GCV_TOUCHING = 0,
+  /** Their interiors meet. */
+  GCV_OVERLAPPING = -1
+};
+
+/** The kinds of contacts. @since 0.2 */
+enum {
+  /** An edge of A and a vertex of B. */
+  GCV_CONTACT_EDGE_VERTEX = 1,
+  /** A vertex of A and an edge of B. */
+  GCV_CONTACT_VERTEX_EDGE = 2,
+  /** A vertex of A and a vertex of B. */
+  GCV_CONTACT_VERTEX_VERTEX = 3
+};
+
+/** A feature of A and one of B that touch, or would, and where. All 0: none. @since 0.2 */
+typedef struct gcv_contact {
+  /** GCV_CONTACT_EDGE_VERTEX, GCV_CONTACT_VERTEX_EDGE or GCV_CONTACT_VERTEX_VERTEX. */
+  int32_t kind;
+  /** The caller's numbers of the vertices or edges, as in gcv_edge_source. */
+  uint32_t a, b;
+  /** 0. */
+  uint32_t reserved;
+  /** 0. */
+  uint64_t id_a, id_b;
+  /** The distance between the features, correctly rounded. */
+  double gap;
+  /** A unit vector, each coordinate within 1 ulp: the normal of the edge, towards B; for two
+   *  vertices the direction from that of A to that of B, or 0 0 where they coincide. */
+  double normal[2];
+  /** The points of the features that are nearest to each other, each coordinate correctly
+   *  rounded; that of B in B + t. */
+  double on_a[2], on_b[2];
+} gcv_contact;
+
+/** How far two polygons are from each other. @since 0.2 */
+typedef struct gcv_separation {
+  /** The Euclidean distance, correctly rounded; 0 where they touch or overlap. */
+  double distance;
+  /** GCV_APART, GCV_TOUCHING or GCV_OVERLAPPING: exact. */
+  int32_t relation;
+  /** 0. */
+  uint32_t reserved;
+  /** Where the distance is taken; of several, the smallest kind, then a, then b. All 0 where they
+   *  touch or overlap. */
+  gcv_contact nearest;
+} gcv_separation;
+
+/** How far a motion leads before the polygons overlap. @since 0.2 */
+typedef struct gcv_impact {
+  /** 1 if B would overlap A right after `time`, else 0. */
+  int32_t hit;
+  /** GCV_APART, GCV_TOUCHING or GCV_OVERLAPPING, at `position`: exact. */
+  int32_t relation;
+  /** The largest part of the motion, in [0, 1], up to which they never overlap, rounded down; 1
+   *  without a hit. */
+  double time;
+  /** A translation of doubles within 2 ulps of the exact one, at which B does not overlap A, if
+   *  there is one; else the nearest one. */
+  double position[2];
+  /** What is hit, with gap 0; of several, the smallest kind, then a, then b. All 0 without a hit,
+   *  and where B overlaps A at the start. */
+  gcv_contact contact;
+} gcv_impact;
+
+/**
+ * How A and B + t lie: apart, touching or overlapping.
+ *
+ * @param a             the polygon A.
+ * @param b             the polygon B; the same handle may be given twice.
+ * @param translations  of B: x0 y0 x1 y1 ..., finite.
+ * @param count         the number of translations.
+ * @param options       threads and progress; or NULL for the defaults.
+ * @param out           room for `count` elements: GCV_APART, GCV_TOUCHING or GCV_OVERLAPPING.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
+ *         GCV_ERR_NOT_FINITE; GCV_ERR_NO_MEMORY; GCV_ERR_CANCELLED; GCV_ERR_INTERNAL.
+ * Exactness: exact. Cost: O(log n) where the boundaries come near in few places.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_relation(const gcv_polygon *a, const gcv_polygon *b,
+                                              const double *translations, size_t count,
+                                              const gcv_options *options, int8_t *out);
+
+/**
+ * How far B + t is from A, and where they are nearest.
+ *
+ * @param a             the polygon A.
+ * @param b             the polygon B; the same handle may be given twice.
+ * @param translations  of B: x0 y0 x1 y1 ..., finite.
+ * @param count         the number of translations.
+ * @param options       threads and progress; or NULL for the defaults.
+ * @param out           room for `count` elements.
+ * @return as gcv_relation; GCV_ERR_RANGE where a result is beyond the largest double.
+ * Exactness: relation and features are exact, the distance is correctly rounded. It can underflow
+ * to 0 while the polygons are apart. Cost: as gcv_relation. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_distance(const gcv_polygon *a, const gcv_polygon *b,
+                                              const double *translations, size_t count,
+                                              const gcv_options *options, gcv_separation *out);
+
+/**
+ * How far B can move from t along a motion before it overlaps A. Sliding along a boundary is no
+ * hit. Touching at the end of the motion is none.
+ *
+ * @param a             the polygon A.
+ * @param b             the polygon B; the same handle may be given twice.
+ * @param translations  of B at the start: x0 y0 x1 y1 ..., finite.
+ * @param motions       of B: from t to t + motion, finite.
+ * @param count         the number of translations and of motions.
+ * @param options       threads and progress; or NULL for the defaults.
+ * @param out           room for `count` elements.
+ * @return as gcv_distance.
+ * Exactness: hit, contact and relation are exact; the time is rounded down, so B does not overlap
+ * A at t + time motion, taken exactly. Cost: as gcv_relation, for the part of the motion up to the
+ * hit. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_cast(const gcv_polygon *a, const gcv_polygon *b,
+                                          const double *translations, const double *motions,
+                                          size_t count, const gcv_options *options,
+                                          gcv_impact *out);
+
 /* --------------------------------------------------------------- superset -- */
 
 /** The explicit superset of the outer face. Opaque, immutable. */
