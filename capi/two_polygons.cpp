@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Questions about two polygons: gcv_relation.
+// Questions about two polygons: gcv_relation, gcv_distance.
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "distance.hpp"
 #include "error.hpp"
 #include "gcv/gcv.h"
 #include "guard.hpp"
@@ -54,26 +55,79 @@ class Vectors {
 
 // Writes answer(k, tally) to out[k] for each k below `count`, once all are known.
 template <class Answer, class Result>
-void give_answers(std::size_t count, const gcv_options& options, Result* out, Answer answer) {
+void give_all(std::size_t count, const gcv_options& options, Result* out, Answer answer) {
   constexpr std::size_t block = 128;
   constexpr std::size_t few = 8;  // that need no memory of their own
   Task task(threads_of(options), options.progress, options.progress_context);
   task.begin(count);
   boost::container::small_vector<Result, few> results(count);
-  gcv::for_each_in_parallel(
-      (count + block - 1) / block, task.threads(),
-      [&](std::size_t number) {
-        Tally tally;
-        const std::size_t first = number * block;
-        const std::size_t end = std::min(count, first + block);
-        for (std::size_t k = first; k < end; ++k) {
-          results[k] = answer(k, tally);
-        }
-        task.advance(end - first);
-      },
-      [&] { task.watch(); });
+  gcv::for_each_in_parallel((count + block - 1) / block, task.threads(),
+                            [&](std::size_t number) {
+                              Tally tally;
+                              const std::size_t first = number * block;
+                              const std::size_t end = std::min(count, first + block);
+                              for (std::size_t k = first; k < end; ++k) {
+                                results[k] = answer(k, tally);
+                              }
+                              task.advance(end - first);
+                            },
+                            [&] { task.watch(); });
   task.finish();
   std::copy(results.begin(), results.end(), out);
+}
+
+// What all of these functions take.
+struct Question {
+  const gcv_polygon* a;
+  const gcv_polygon* b;
+  const double* translations;
+  std::size_t count;
+  const gcv_options* options;
+};
+
+// Writes answer(placed, tally) to `out` for each translation. Throws Error, with the number of the
+// translation.
+template <class Result, class Answer>
+void give_answers(const Question& question, Result* out, Answer answer) {
+  require(question.a, "a");
+  require(question.b, "b");
+  const gcv_options options = read_options(question.options);
+  if (question.count == 0) {
+    return;
+  }
+  require(question.translations, "translations");
+  require(out, "out");
+  const Vectors translations(question.translations, question.count, "translations");
+  const PolygonPair pair(*question.a->polygon, *question.b->polygon);
+  give_all(question.count, options, out, [&](std::size_t k, Tally& tally) {
+    return answer(PlacedPair(pair, translations[k]), k, tally);
+  });
+}
+
+gcv_contact public_contact(const gcv::Contact& contact) {
+  const auto& [kind, a, b, gap, normal, on_a, on_b] = contact;
+  return {static_cast<std::int32_t>(kind),
+          a,
+          b,
+          0,
+          0,
+          0,
+          gap,
+          {normal.x, normal.y},
+          {on_a.x, on_a.y},
+          {on_b.x, on_b.y}};
+}
+
+// Throws Error: range, where a number of the contact is beyond the largest double.
+void require_finite(const gcv::Contact& contact, std::size_t translation) {
+  for (const double x :
+       {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
+    if (!std::isfinite(x)) {
+      throw Error(Status::range,
+                  "translation %zu: a distance or a point is beyond the largest double",
+                  translation);
+    }
+  }
 }
 
 }  // namespace
@@ -81,18 +135,23 @@ void give_answers(std::size_t count, const gcv_options& options, Result* out, An
 gcv_status gcv_relation(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
                         size_t count, const gcv_options* options, int8_t* out) {
   return guarded([&] {
-    require(a, "a");
-    require(b, "b");
-    const gcv_options known = read_options(options);
-    if (count == 0) {
-      return;
-    }
-    require(translations, "translations");
-    require(out, "out");
-    const Vectors moves(translations, count, "translations");
-    const PolygonPair pair(*a->polygon, *b->polygon);
-    give_answers(count, known, out, [&](std::size_t k, Tally& tally) {
-      return static_cast<std::int8_t>(relation(PlacedPair(pair, moves[k]), tally));
-    });
+    give_answers(Question{a, b, translations, count, options}, out,
+                 [](const PlacedPair& placed, std::size_t, Tally& tally) {
+                   return static_cast<std::int8_t>(relation(placed, tally));
+                 });
+  });
+}
+
+gcv_status gcv_distance(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
+                        size_t count, const gcv_options* options, gcv_separation* out) {
+  return guarded([&] {
+    give_answers(Question{a, b, translations, count, options}, out,
+                 [](const PlacedPair& placed, std::size_t k, Tally& tally) {
+                   const gcv::Separation separation = distance(placed, tally);
+                   require_finite(separation.nearest, k);
+                   return gcv_separation{separation.distance,
+                                         static_cast<std::int32_t>(separation.relation), 0,
+                                         public_contact(separation.nearest)};
+                 });
   });
 }

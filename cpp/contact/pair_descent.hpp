@@ -4,20 +4,9 @@
 // other.
 #pragma once
 
-#include "polygon_pair.hpp"
+#include "box_nodes.hpp"
 
 namespace gcv {
-
-// A node of a tree with its box, relative to the first vertex of A.
-struct BoxedNode {
-  ChainTree::Node node;
-  Box box;
-};
-
-inline Box moved(const Box& box, const Point& offset) {
-  return {box.x0 + offset.x, box.y0 + offset.y, box.x1 + offset.x, box.y1 + offset.y};
-}
-inline double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
 // Calls visit(i, j) for the pairs of edges whose boxes meet or nearly do: at least those of edges
 // that have a point in common. Stops when it returns true. Returns what the last call returned.

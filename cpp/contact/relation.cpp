@@ -84,25 +84,23 @@ class Meeting {
     return overlap(cones_of_vertex(placed_.a, placed_.pair.touches_a, i, tally_),
                    cones_of_vertex(placed_.b, placed_.pair.touches_b, j, tally_), tally_);
   }
-  // The start of edge j of B lies on the inside of edge i of A. Where a ring touches that edge there,
-  // its vertex has all cones.
+  // The start of edge j of B lies on the inside of edge i of A. Where a ring touches that edge
+  // there, its vertex has all cones.
   bool overlap_on_edge_of_a(Index i, Index j) {
     const std::vector<Index>& touching = placed_.pair.touches_a.on(i);
     const SumPoint vertex = placed_.vertex_of_b(j);
-    return std::none_of(touching.begin(), touching.end(),
-                        [&](Index k) {
-                          return are_equal(placed_.vertex_of_a(k), vertex, tally_);
-                        }) &&
+    return std::none_of(
+               touching.begin(), touching.end(),
+               [&](Index k) { return are_equal(placed_.vertex_of_a(k), vertex, tally_); }) &&
            overlap(cones_of_edge(placed_.a, i),
                    cones_of_vertex(placed_.b, placed_.pair.touches_b, j, tally_), tally_);
   }
   bool overlap_on_edge_of_b(Index i, Index j) {
     const std::vector<Index>& touching = placed_.pair.touches_b.on(j);
     const SumPoint vertex = placed_.vertex_of_a(i);
-    return std::none_of(touching.begin(), touching.end(),
-                        [&](Index k) {
-                          return are_equal(placed_.vertex_of_b(k), vertex, tally_);
-                        }) &&
+    return std::none_of(
+               touching.begin(), touching.end(),
+               [&](Index k) { return are_equal(placed_.vertex_of_b(k), vertex, tally_); }) &&
            overlap(cones_of_vertex(placed_.a, placed_.pair.touches_a, i, tally_),
                    cones_of_edge(placed_.b, j), tally_);
   }

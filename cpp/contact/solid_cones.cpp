@@ -73,10 +73,10 @@ bool cross(const Direction& p, const Direction& q, const Direction& motion, Tall
 bool overlap_once_moved(const DirectionRange& a, const DirectionRange& b, const Direction& motion,
                         Tally& tally) {
   const Direction back = motion.reversed();
-  return holds(a, motion, tally) || holds(b, back, tally) ||
-         cross(a.from, b.from, motion, tally) || cross(a.from, b.to, motion, tally) ||
-         cross(a.to, b.from, motion, tally) || cross(a.to, b.to, motion, tally) ||
-         overlap_along(a, b, motion, tally) || overlap_along(b, a, back, tally);
+  return holds(a, motion, tally) || holds(b, back, tally) || cross(a.from, b.from, motion, tally) ||
+         cross(a.from, b.to, motion, tally) || cross(a.to, b.from, motion, tally) ||
+         cross(a.to, b.to, motion, tally) || overlap_along(a, b, motion, tally) ||
+         overlap_along(b, a, back, tally);
 }
 
 template <class Test>
@@ -121,9 +121,8 @@ SolidCones cones_of_vertex(const Boundary& polygon, const Touches& touches, Inde
 }
 
 bool overlap(const SolidCones& a, const SolidCones& b, Tally& tally) {
-  return any_pair(a, b, [&](const DirectionRange& p, const DirectionRange& q) {
-    return overlap(p, q, tally);
-  });
+  return any_pair(
+      a, b, [&](const DirectionRange& p, const DirectionRange& q) { return overlap(p, q, tally); });
 }
 
 bool overlap_once_moved(const SolidCones& a, const SolidCones& b, const Direction& motion,

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "ball.hpp"
 #include "double_double.hpp"
 
 namespace gcv {
@@ -97,6 +98,10 @@ std::optional<RoundedNumber> rounded_coordinate(const Origin& origin,
 }
 
 }  // namespace
+
+std::optional<RoundedNumber> rounded(const Ball& ball) {
+  return certain(ball.hi, ball.lo, ball.error);
+}
 
 std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift) {
   const auto x = Origin(point.a.x, point.b.x, shift.x).rounded();

@@ -38,6 +38,26 @@ std::pair<Integer, Integer> divide(const Integer& n, const Integer& d) {
 
 // The bits that integers need to round n / w, where n and w are below 2^bits.
 constexpr int rounding_bits(int bits) { return bits + 58; }
+// The same for the root of n / w.
+constexpr int root_bits(int bits) { return bits + 116; }
+
+// The double nearest to digits 2^unit, ties to even, with the sign given. There are 55 to 57 digits
+// that count; `sticky` tells whether there are more behind them.
+inline RoundedNumber rounded_digits(std::uint64_t digits, int unit, bool sticky, bool negative) {
+  const int last = std::max(unit + static_cast<int>(std::bit_width(digits)) - 53, -1074);
+  const int dropped = last - unit;  // at least 2
+  if (dropped > 57) {
+    return {negative ? -0.0 : 0.0, false};  // below half the smallest double
+  }
+  const std::uint64_t rest = digits & ((std::uint64_t{1} << dropped) - 1);
+  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
+  std::uint64_t mantissa = digits >> dropped;
+  if (rest > half || (rest == half && (sticky || (mantissa & 1) != 0))) {
+    ++mantissa;
+  }
+  const double magnitude = std::ldexp(static_cast<double>(mantissa), last);
+  return {negative ? -magnitude : magnitude, rest == 0 && !sticky};
+}
 
 // The double nearest to n / w * 2^exponent, ties to even. w must be positive.
 //
@@ -60,22 +80,31 @@ RoundedNumber nearest_double(Integer n, Integer w, int exponent) {
     w <<= -shift;
   }
   const auto [quotient, remainder] = divide(n, w);
-  const auto digits = static_cast<std::uint64_t>(quotient);
-  const int unit = exponent - shift;  // digits count units of 2^unit
-  const int last = std::max(unit + static_cast<int>(std::bit_width(digits)) - 53, -1074);
-  const int dropped = last - unit;  // at least 2
-  if (dropped > 57) {
-    return {negative < 0 ? -0.0 : 0.0, false};  // below half the smallest double
+  return rounded_digits(static_cast<std::uint64_t>(quotient), exponent - shift,
+                        sign(remainder) != 0, negative < 0);
+}
+
+// The double nearest to sqrt(n / w) * 2^exponent, ties to even. n must not be negative, and w must
+// be positive.
+//
+// A power of four scales the fraction to a quotient of 110 to 112 bits. Its root has 55 or 56 bits.
+template <class Integer>
+RoundedNumber nearest_root(Integer n, Integer w, int exponent) {
+  assert(sign(n) >= 0 && sign(w) > 0);
+  if (sign(n) == 0) {
+    return {0.0, true};
   }
-  const std::uint64_t rest = digits & ((std::uint64_t{1} << dropped) - 1);
-  const std::uint64_t half = std::uint64_t{1} << (dropped - 1);
-  const bool sticky = sign(remainder) != 0;
-  std::uint64_t mantissa = digits >> dropped;
-  if (rest > half || (rest == half && (sticky || (mantissa & 1) != 0))) {
-    ++mantissa;
+  const int excess = 110 - (bit_length(n) - bit_length(w));
+  const int shift = excess + (excess & 1);
+  if (shift >= 0) {
+    n <<= shift;
+  } else {
+    w <<= -shift;
   }
-  const double magnitude = std::ldexp(static_cast<double>(mantissa), last);
-  return {negative < 0 ? -magnitude : magnitude, rest == 0 && !sticky};
+  const auto [quotient, remainder] = divide(n, w);
+  const Integer root = sqrt(quotient);
+  const bool sticky = sign(remainder) != 0 || root * root != quotient;
+  return rounded_digits(static_cast<std::uint64_t>(root), exponent - shift / 2, sticky, false);
 }
 
 }  // namespace gcv

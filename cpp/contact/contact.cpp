@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "contact.hpp"
+
+#include <cassert>
+
+#include "predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The outward normal of an edge: from its start, turned right by a right angle.
+Point outward_normal(const SumEdge& edge, Tally& tally) {
+  const auto turned_right = [](const Point& p) { return Point{p.y, -p.x}; };
+  return nearest_unit_vector({turned_right(edge.from), {0, 0}}, {turned_right(edge.to), {0, 0}},
+                             tally);
+}
+
+Contact between_vertices(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  const SumPoint p = placed.vertex_of_a(name.i);
+  const SumPoint q = placed.vertex_of_b(name.j);
+  Contact contact;
+  contact.gap = nearest_gap(gap_of(placed, name, tally), tally);
+  if (!are_equal(p, q, tally)) {
+    contact.normal = nearest_unit_vector(p, q, tally);
+  }
+  contact.on_a = nearest_point(p, tally);
+  contact.on_b = nearest_point(q, tally);
+  return contact;
+}
+
+Contact between_edge_and_vertex(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  const EdgeAndVertex pair = edge_and_vertex(placed, name);
+  const Nearest nearest = nearest_on(pair, tally);
+  Contact contact;
+  contact.gap = nearest_gap(gap_between(pair, nearest), tally);
+  const Point on_edge =
+      nearest == Nearest::inside
+          ? nearest_crossing(pair.edge, perpendicular(pair.edge, pair.vertex), tally)
+          : nearest_point(nearest == Nearest::start ? pair.edge.origin : pair.end(), tally);
+  const Point vertex = nearest_point(pair.vertex, tally);
+  const Point normal = outward_normal(pair.edge, tally);
+  if (name.kind == ContactKind::edge_vertex) {
+    contact.normal = normal;
+    contact.on_a = on_edge;
+    contact.on_b = vertex;
+  } else {
+    contact.normal = {0.0 - normal.x, 0.0 - normal.y};
+    contact.on_a = vertex;
+    contact.on_b = on_edge;
+  }
+  return contact;
+}
+
+}  // namespace
+
+std::tuple<ContactKind, Index, Index> order_of(const PlacedPair& placed, const ContactName& name) {
+  const Boundary::Corner& a = placed.a.corners[name.i];
+  const Boundary::Corner& b = placed.b.corners[name.j];
+  return {name.kind, name.kind == ContactKind::edge_vertex ? a.edge_number : a.vertex_number,
+          name.kind == ContactKind::vertex_edge ? b.edge_number : b.vertex_number};
+}
+
+EdgeAndVertex edge_and_vertex(const PlacedPair& placed, const ContactName& name) {
+  assert(name.kind != ContactKind::vertex_vertex);
+  return name.kind == ContactKind::edge_vertex
+             ? EdgeAndVertex{placed.edge_of_a(name.i), placed.vertex_of_b(name.j)}
+             : EdgeAndVertex{placed.edge_of_b(name.j), placed.vertex_of_a(name.i)};
+}
+
+Nearest nearest_on(const EdgeAndVertex& pair, Tally& tally) {
+  const SumEdge across = perpendicular(pair.edge, pair.vertex);
+  if (side(across, pair.edge.origin, tally) <= 0) {
+    return Nearest::start;
+  }
+  return side(across, pair.end(), tally) >= 0 ? Nearest::end : Nearest::inside;
+}
+
+Gap gap_between(const EdgeAndVertex& pair, Nearest nearest) {
+  SumEdge edge = pair.edge;
+  if (nearest == Nearest::end) {
+    edge.origin = pair.end();
+  }
+  return {edge, pair.vertex, nearest == Nearest::inside};
+}
+
+Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  if (name.kind == ContactKind::vertex_vertex) {
+    return {placed.edge_of_a(name.i), placed.vertex_of_b(name.j), false};
+  }
+  const EdgeAndVertex pair = edge_and_vertex(placed, name);
+  return gap_between(pair, nearest_on(pair, tally));
+}
+
+Contact contact_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  Contact contact = name.kind == ContactKind::vertex_vertex
+                        ? between_vertices(placed, name, tally)
+                        : between_edge_and_vertex(placed, name, tally);
+  std::tie(contact.kind, contact.a, contact.b) = order_of(placed, name);
+  return contact;
+}
+
+}  // namespace gcv

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "distance.hpp"
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cassert>
+#include <cmath>
+#include <optional>
+
+#include "box_nodes.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The pairs of an edge and a vertex of two polygons that are apart which may be nearest to each
+// other. In doubles, relative to the first vertex of A.
+class NearestPairs {
+ public:
+  explicit NearestPairs(const PlacedPair& placed)
+      : placed_(placed),
+        a_(placed.pair.tree_a.tree),
+        b_(placed.pair.tree_b.tree),
+        offset_(placed.offset()),
+        slack_(placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y))) {
+    descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)});
+  }
+
+  // Calls visit(name) for each of them: the vertex may be nearest to an end of the edge.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (const Candidate& candidate : candidates_) {
+      if (!(candidate.square > limit_)) {
+        visit(candidate.name);
+      }
+    }
+  }
+
+ private:
+  struct Candidate {
+    double square;  // of the distance
+    ContactName name;
+  };
+  // A node below one that is searched, with the square of its distance from the other node.
+  struct Child {
+    double square;
+    std::uint32_t lane;
+  };
+
+  void descend(const BoxedNode& a, const BoxedNode& b) {
+    const bool a_is_edge = a_.is_edge(a.node);
+    const bool b_is_edge = b_.is_edge(b.node);
+    if (a_is_edge && b_is_edge) {
+      add_pairs(a.node.index, b.node.index);
+    } else if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
+      const ChainTree::Block& block = a_.blocks[a_.block_below(a.node)];
+      for_each_near_child(block, b.box, [&](std::uint32_t lane) {
+        descend({ChainTree::child(a.node, lane), block.box(lane)}, b);
+      });
+    } else {
+      const ChainTree::Block& block = b_.blocks[b_.block_below(b.node)];
+      for_each_near_child(block, moved(a.box, {-offset_.x, -offset_.y}), [&](std::uint32_t lane) {
+        descend(a, {ChainTree::child(b.node, lane), moved(block.box(lane), offset_)});
+      });
+    }
+  }
+
+  // The nearest one first. Those that turn out to be too far are left out.
+  template <class Visit>
+  void for_each_near_child(const ChainTree::Block& block, const Box& box, Visit visit) {
+    const SimdDouble none = SimdDouble::of(0);
+    const SimdDouble x = larger(
+        none, larger(SimdDouble::load(block.x0) + -box.x1, box.x0 - SimdDouble::load(block.x1)));
+    const SimdDouble y = larger(
+        none, larger(SimdDouble::load(block.y0) + -box.y1, box.y0 - SimdDouble::load(block.y1)));
+    double squares[ChainTree::width];
+    (x * x + y * y).store(squares);
+    Child children[ChainTree::width];
+    std::uint32_t count = 0;
+    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
+      if (!(squares[lane] > limit_)) {
+        std::uint32_t place = count++;
+        for (; place > 0 && children[place - 1].square > squares[lane]; --place) {
+          children[place] = children[place - 1];
+        }
+        children[place] = {squares[lane], lane};
+      }
+    }
+    for (std::uint32_t k = 0; k < count && !(children[k].square > limit_); ++k) {
+      visit(children[k].lane);
+    }
+  }
+
+  // The start of each of the edges and the other edge.
+  void add_pairs(Index i, Index j) {
+    const Point p = placed_.a.relative(i);
+    const Point p_end = placed_.a.relative(placed_.a.next(i));
+    const Point q = moved_by_offset(placed_.b.relative(j));
+    const Point q_end = moved_by_offset(placed_.b.relative(placed_.b.next(j)));
+    add({ContactKind::edge_vertex, i, j}, square_of_distance(p, p_end, q));
+    add({ContactKind::vertex_edge, i, j}, square_of_distance(q, q_end, p));
+  }
+  void add(const ContactName& name, double square) {
+    if (square > limit_) {
+      return;
+    }
+    candidates_.push_back({square, name});
+    if (square < least_) {
+      least_ = square;
+      const double reach = std::sqrt(square) + 2 * slack_;
+      limit_ = (1 + 0x1p-48) * reach * reach + std::numeric_limits<double>::min();
+    }
+  }
+
+  [[nodiscard]] Point moved_by_offset(const Point& p) const {
+    return {p.x + offset_.x, p.y + offset_.y};
+  }
+
+  static double square(double x, double y) { return x * x + y * y; }
+  // Of a point from a segment.
+  static double square_of_distance(const Point& from, const Point& to, const Point& p) {
+    const double dx = to.x - from.x;
+    const double dy = to.y - from.y;
+    const double x = p.x - from.x;
+    const double y = p.y - from.y;
+    const double length = square(dx, dy);
+    const double along = dx * x + dy * y;
+    if (along > 0 && along < length) {
+      const double height = dx * y - dy * x;
+      return height * (height / length);
+    }
+    return along <= 0 ? square(x, y) : square(p.x - to.x, p.y - to.y);
+  }
+
+  const PlacedPair& placed_;
+  const ChainTree& a_;
+  const ChainTree& b_;
+  const Point offset_;
+  const double slack_;
+  double least_ = std::numeric_limits<double>::infinity();
+  double limit_ = std::numeric_limits<double>::infinity();
+  boost::container::small_vector<Candidate, 16> candidates_;
+};
+
+// The features that are nearest to each other in such a pair.
+ContactName nearest_features(const PlacedPair& placed, const ContactName& name, Nearest nearest) {
+  const bool is_end = nearest == Nearest::end;
+  if (nearest == Nearest::inside) {
+    return name;
+  }
+  if (name.kind == ContactKind::edge_vertex) {
+    return {ContactKind::vertex_vertex, is_end ? placed.a.next(name.i) : name.i, name.j};
+  }
+  return {ContactKind::vertex_vertex, name.i, is_end ? placed.b.next(name.j) : name.j};
+}
+
+// The nearest pair of features, exactly.
+ContactName nearest_features(const PlacedPair& placed, Tally& tally) {
+  std::optional<ContactName> best;
+  Gap gap{};
+  NearestPairs(placed).for_each([&](const ContactName& candidate) {
+    const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
+    const Nearest nearest = nearest_on(pair, tally);
+    const ContactName name = nearest_features(placed, candidate, nearest);
+    if (best == name) {
+      return;
+    }
+    const Gap other = gap_between(pair, nearest);
+    const int order = best ? compare_gaps(other, gap, tally) : -1;
+    if (order < 0 || (order == 0 && order_of(placed, name) < order_of(placed, *best))) {
+      best = name;
+      gap = other;
+    }
+  });
+  assert(best);
+  return *best;
+}
+
+}  // namespace
+
+Separation distance(const PlacedPair& placed, Tally& tally) {
+  const Relation relation = gcv::relation(placed, tally);
+  if (relation != Relation::apart) {
+    return {relation, 0, {}};
+  }
+  const Contact nearest = contact_of(placed, nearest_features(placed, tally), tally);
+  return {relation, nearest.gap, nearest};
+}
+
+}  // namespace gcv

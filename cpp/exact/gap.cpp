@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "gap.hpp"
+
+#include <cmath>
+#include <optional>
+#include <type_traits>
+
+#include "ball.hpp"
+#include "double_double.hpp"
+#include "double_double_rounding.hpp"
+#include "exact_numbers.hpp"
+#include "to_double.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The grid of the numbers that the distance is computed from.
+void include(Grid& grid, const Gap& gap) {
+  grid.include(gap.edge);
+  grid.include(gap.point.a);
+  grid.include(gap.point.b);
+}
+
+// The square of a distance, n / w, in squares of the unit of the grid.
+//
+// Let b be the bits of the grid. Then a difference of two numbers is below 2^(b+1), and that of two
+// sums below 2^(b+2). So w < 2^(2b+3). The cross product is below 2^(2b+4), and n < 2^(4b+8).
+template <class Integer>
+struct Square {
+  Integer n;
+  Integer w;
+};
+
+constexpr int square_bits(int grid_bits) { return 4 * grid_bits + 8; }
+
+template <class Integer>
+Integer square(const Vector<Integer>& v) {
+  return v.x * v.x + v.y * v.y;
+}
+
+template <class Integer>
+Square<Integer> square_of(const Grid& grid, const Gap& gap) {
+  const auto offset = vector_between<Integer>(grid, gap.edge.origin, gap.point);
+  if (!gap.is_to_line) {
+    return {square(offset), Integer(1)};
+  }
+  const auto direction = vector_between<Integer>(grid, gap.edge.from, gap.edge.to);
+  const Integer height = cross(direction, offset);
+  return {height * height, square(direction)};
+}
+
+// nearest_root() has no root of 128-bit integers.
+template <class Integer>
+double nearest_root_of(const Integer& n, const Integer& w, int exponent) {
+  if constexpr (std::is_same_v<Integer, Int128>) {
+    return nearest_root(Int256(n), Int256(w), exponent).value;
+  } else {
+    return nearest_root(n, w, exponent).value;
+  }
+}
+
+DoubleDoubleVector offset_of(const Gap& gap) {
+  return double_double_vector(gap.edge.origin, gap.point);
+}
+
+bool is_in_range(const DoubleDoubleVector& v) {
+  return gcv::is_in_range(v.x.hi) && gcv::is_in_range(v.y.hi);
+}
+
+// sqrt(x^2 + y^2) where it is a double and nothing is rounded.
+std::optional<double> exact_length(const DoubleDoubleVector& v) {
+  if (!v.x.is_double() || !v.y.is_double()) {
+    return std::nullopt;
+  }
+  const double x = v.x.hi * v.x.hi;
+  const double y = v.y.hi * v.y.hi;
+  const double sum = x + y;
+  const double root = std::sqrt(sum);
+  const bool is_exact = std::fma(v.x.hi, v.x.hi, -x) == 0 && std::fma(v.y.hi, v.y.hi, -y) == 0 &&
+                        rounding_error(x, y, sum) == 0 && std::fma(root, root, -sum) == 0;
+  return is_exact ? std::optional(root) : std::nullopt;
+}
+
+Ball length_of(const DoubleDoubleVector& v) {
+  const Ball x = Ball::of(v.x);
+  const Ball y = Ball::of(v.y);
+  return square_root(x * x + y * y);
+}
+
+std::optional<RoundedNumber> rounded_size(const DoubleDouble& x) {
+  const Ball ball = Ball::of(x);
+  return rounded(ball.hi < 0 ? -ball : ball);
+}
+
+// In double-double arithmetic, where that is certain.
+std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
+  const DoubleDoubleVector offset = offset_of(gap);
+  if (gap.is_to_line) {
+    const DoubleDoubleVector direction = double_double_vector(gap.edge.from, gap.edge.to);
+    if (direction.x.hi == 0) {
+      return rounded_size(offset.x);
+    }
+    if (direction.y.hi == 0) {
+      return rounded_size(offset.y);
+    }
+    const DoubleDoubleCross height = double_double_cross(direction, offset);
+    if (!is_in_range(direction) || !gcv::is_in_range(height.hi)) {
+      return std::nullopt;
+    }
+    const Ball ball = Ball::of(height) / length_of(direction);
+    return rounded(ball.hi < 0 ? -ball : ball);
+  }
+  if (offset.x.is_exact && offset.x.hi == 0) {
+    return rounded_size(offset.y);
+  }
+  if (offset.y.is_exact && offset.y.hi == 0) {
+    return rounded_size(offset.x);
+  }
+  if (!is_in_range(offset)) {
+    return std::nullopt;
+  }
+  if (const std::optional<double> length = exact_length(offset)) {
+    return RoundedNumber{*length, true};
+  }
+  return rounded(length_of(offset));
+}
+
+Point turned_left(const Point& p) { return {-p.y, p.x}; }
+
+}  // namespace
+
+int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
+  Grid grid;
+  include(grid, p);
+  include(grid, q);
+  return with_integers(square_bits(grid.bits()) + 2 * grid.bits() + 3, tally, [&]<class Integer>() {
+    const Square<Integer> left = square_of<Integer>(grid, p);
+    const Square<Integer> right = square_of<Integer>(grid, q);
+    return sign(Integer(left.n * right.w - right.n * left.w));
+  });
+}
+
+int compare_gap(const Gap& p, double distance, Tally& tally) {
+  Grid grid;
+  include(grid, p);
+  grid.include(distance);
+  return with_integers(square_bits(grid.bits()) + 2, tally, [&]<class Integer>() {
+    const Square<Integer> left = square_of<Integer>(grid, p);
+    const Integer right = grid.integer<Integer>(distance);
+    return sign(Integer(left.n - right * right * left.w));
+  });
+}
+
+double nearest_gap(const Gap& gap, Tally& tally) {
+  if (const std::optional<RoundedNumber> in_doubles = rounded_gap(gap)) {
+    ++tally.filtered;
+    return in_doubles->value;
+  }
+  Grid grid;
+  include(grid, gap);
+  return with_integers(root_bits(square_bits(grid.bits())), tally, [&]<class Integer>() {
+    const Square<Integer> squared = square_of<Integer>(grid, gap);
+    return nearest_root_of(squared.n, squared.w, grid.exponent());
+  });
+}
+
+Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally) {
+  const DoubleDoubleVector v = double_double_vector(from, to);
+  const auto is_sure = [](const Ball& ball) { return ball.error <= 0x1p-60 * std::abs(ball.hi); };
+  if (is_in_range(v)) {
+    const Ball length = length_of(v);
+    const Ball x = Ball::of(v.x) / length;
+    const Ball y = Ball::of(v.y) / length;
+    if (is_sure(x) && is_sure(y)) {
+      ++tally.filtered;
+      return {x.hi + 0.0, y.hi + 0.0};
+    }
+  }
+  const Grid grid{from.a, from.b, to.a, to.b};
+  return with_integers(root_bits(2 * grid.bits() + 6), tally, [&]<class Integer>() {
+    const auto exact = vector_between<Integer>(grid, from, to);
+    const Integer w = square(exact);
+    const auto coordinate = [&](const Integer& x) {
+      const double size = nearest_root_of(Integer(x * x), w, 0);
+      return sign(x) < 0 ? -size : size;
+    };
+    return Point{coordinate(exact.x), coordinate(exact.y)};
+  });
+}
+
+SumEdge perpendicular(const SumEdge& edge, const SumPoint& point) {
+  return {point, turned_left(edge.from), turned_left(edge.to), -edge.dy, edge.dx};
+}
+
+Point nearest_point(const SumPoint& point, Tally& tally) {
+  if (const auto in_doubles = rounded_sum(point, {0, 0})) {
+    ++tally.filtered;
+    return {in_doubles->x.value, in_doubles->y.value};
+  }
+  const Grid grid{point.a, point.b};
+  return with_integers(rounding_bits(grid.bits() + 1), tally, [&]<class Integer>() {
+    const auto nearest = [&](double a, double b) {
+      return nearest_double(Integer(grid.integer<Integer>(a) + grid.integer<Integer>(b)),
+                            Integer(1), grid.exponent())
+          .value;
+    };
+    return Point{nearest(point.a.x, point.b.x), nearest(point.a.y, point.b.y)};
+  });
+}
+
+Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally) {
+  if (const auto in_doubles = rounded_crossing(s, t, {0, 0})) {
+    ++tally.filtered;
+    return {in_doubles->x.value, in_doubles->y.value};
+  }
+  Grid grid;
+  grid.include(s);
+  grid.include(t);
+  return with_integers(rounding_bits(crossing_bits(grid.bits())), tally, [&]<class Integer>() {
+    const HomogeneousPoint<Integer> p = crossing<Integer>(grid, s, t, {0, 0});
+    return Point{nearest_double(p.x, p.w, grid.exponent()).value,
+                 nearest_double(p.y, p.w, grid.exponent()).value};
+  });
+}
+
+}  // namespace gcv
