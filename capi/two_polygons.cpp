@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Questions about two polygons: gcv_relation, gcv_distance.
+// Questions about two polygons: gcv_relation, gcv_distance, gcv_cast.
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cast.hpp"
 #include "distance.hpp"
 #include "error.hpp"
 #include "gcv/gcv.h"
@@ -130,6 +131,14 @@ void require_finite(const gcv::Contact& contact, std::size_t translation) {
   }
 }
 
+// Throws Error: range, where a coordinate of the position is beyond the largest double.
+void require_finite(const Point& position, std::size_t translation) {
+  if (!std::isfinite(position.x) || !std::isfinite(position.y)) {
+    throw Error(Status::range, "translation %zu: the position is beyond the largest double",
+                translation);
+  }
+}
+
 }  // namespace
 
 gcv_status gcv_relation(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
@@ -152,6 +161,28 @@ gcv_status gcv_distance(const gcv_polygon* a, const gcv_polygon* b, const double
                    return gcv_separation{separation.distance,
                                          static_cast<std::int32_t>(separation.relation), 0,
                                          public_contact(separation.nearest)};
+                 });
+  });
+}
+
+gcv_status gcv_cast(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
+                    const double* motions, size_t count, const gcv_options* options,
+                    gcv_impact* out) {
+  return guarded([&] {
+    if (count != 0) {
+      require(motions, "motions");
+    }
+    const Vectors all_motions(motions, count, "motions");
+    give_answers(Question{a, b, translations, count, options}, out,
+                 [&](const PlacedPair& placed, std::size_t k, Tally& tally) {
+                   const auto [hit, time, place, contact] = cast(placed, all_motions[k], tally);
+                   require_finite(place.position, k);
+                   require_finite(contact, k);
+                   return gcv_impact{hit ? 1 : 0,
+                                     static_cast<std::int32_t>(place.relation),
+                                     time,
+                                     {place.position.x, place.position.y},
+                                     public_contact(contact)};
                  });
   });
 }

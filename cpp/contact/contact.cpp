@@ -39,16 +39,10 @@ Contact between_edge_and_vertex(const PlacedPair& placed, const ContactName& nam
           ? nearest_crossing(pair.edge, perpendicular(pair.edge, pair.vertex), tally)
           : nearest_point(nearest == Nearest::start ? pair.edge.origin : pair.end(), tally);
   const Point vertex = nearest_point(pair.vertex, tally);
-  const Point normal = outward_normal(pair.edge, tally);
-  if (name.kind == ContactKind::edge_vertex) {
-    contact.normal = normal;
-    contact.on_a = on_edge;
-    contact.on_b = vertex;
-  } else {
-    contact.normal = {0.0 - normal.x, 0.0 - normal.y};
-    contact.on_a = vertex;
-    contact.on_b = on_edge;
-  }
+  const bool is_edge_of_a = name.kind == ContactKind::edge_vertex;
+  contact.normal = normal_of(placed, name, tally);
+  contact.on_a = is_edge_of_a ? on_edge : vertex;
+  contact.on_b = is_edge_of_a ? vertex : on_edge;
   return contact;
 }
 
@@ -90,6 +84,11 @@ Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
   }
   const EdgeAndVertex pair = edge_and_vertex(placed, name);
   return gap_between(pair, nearest_on(pair, tally));
+}
+
+Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  const Point normal = outward_normal(edge_and_vertex(placed, name).edge, tally);
+  return name.kind == ContactKind::edge_vertex ? normal : Point{0.0 - normal.x, 0.0 - normal.y};
 }
 
 Contact contact_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {

@@ -62,6 +62,9 @@ Gap gap_between(const EdgeAndVertex& pair, Nearest nearest);
 // The same for any contact.
 Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
 
+// The normal of the edge of a contact, from A to B. Not for two vertices.
+Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
+
 // The contact with its points, its normal and its gap.
 Contact contact_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
 

@@ -126,6 +126,17 @@ std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
   return rounded(length_of(offset));
 }
 
+// The largest double at most n / d, by the remainder of the rounded quotient, which is a double.
+std::optional<double> quotient_below(double n, double d) {
+  const double quotient = n / d;
+  if (!gcv::is_in_range(n) || !gcv::is_in_range(d) || !gcv::is_in_range(quotient)) {
+    return std::nullopt;
+  }
+  const double remainder = std::fma(-quotient, d, n);
+  const bool is_above = remainder != 0 && (remainder < 0) != (d < 0);
+  return is_above ? std::nextafter(quotient, -1.0) : quotient + 0.0;
+}
+
 Point turned_left(const Point& p) { return {-p.y, p.x}; }
 
 }  // namespace
@@ -191,6 +202,30 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
 
 SumEdge perpendicular(const SumEdge& edge, const SumPoint& point) {
   return {point, turned_left(edge.from), turned_left(edge.to), -edge.dy, edge.dx};
+}
+
+double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally) {
+  const DoubleDoubleParameter lambda = double_double_parameter(s, t);
+  if (lambda.is_fraction) {
+    if (const std::optional<double> below = quotient_below(lambda.n, lambda.d)) {
+      ++tally.fixed_width;
+      return *below;
+    }
+  }
+  const Ball ball = Ball::normal(lambda.hi, lambda.lo, lambda.error);
+  if (std::abs(ball.lo) > ball.error && rounded(ball) && ball.hi > 0x1p-200) {
+    ++tally.fixed_width;
+    return ball.lo < 0 ? std::nextafter(ball.hi, -1.0) : ball.hi;
+  }
+  Grid grid;
+  grid.include(s);
+  grid.include(t);
+  return with_integers(rounding_bits(2 * grid.bits() + 4), tally, [&]<class Integer>() {
+    const auto dt = vector_between<Integer>(grid, t.from, t.to);
+    const Integer n = cross(vector_between<Integer>(grid, s.origin, t.origin), dt);
+    const Integer d = cross(vector_between<Integer>(grid, s.from, s.to), dt);
+    return sign(d) < 0 ? double_below(Integer(-n), Integer(-d)) : double_below(n, d);
+  });
 }
 
 Point nearest_point(const SumPoint& point, Tally& tally) {

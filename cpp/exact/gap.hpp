@@ -30,6 +30,10 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
 // The line through the point, at a right angle to that of the edge, seen to the left of it.
 SumEdge perpendicular(const SumEdge& edge, const SumPoint& point);
 
+// The largest double that is at most lambda, where the line of t crosses that of s in o_s + lambda
+// d_s. lambda must be from 0 on, and s and t not parallel.
+double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally);
+
 // The point a + b, and the crossing of the lines of two edges that are not parallel: each
 // coordinate is the nearest double, ties to even; infinite if that is not finite.
 Point nearest_point(const SumPoint& point, Tally& tally);

@@ -59,29 +59,53 @@ inline RoundedNumber rounded_digits(std::uint64_t digits, int unit, bool sticky,
   return {negative ? -magnitude : magnitude, rest == 0 && !sticky};
 }
 
-// The double nearest to n / w * 2^exponent, ties to even. w must be positive.
-//
-// A power of two scales the fraction to a quotient of 55 or 56 bits. Its bits below the last bit of
-// the double, and the remainder, tell which way to round.
+// The first bits of n / w, for n and w above 0: at least digits 2^unit, and less than (digits + 1)
+// 2^unit. There are 55 or 56 digits. Exact unless `sticky`.
+struct Quotient {
+  std::uint64_t digits;
+  int unit;
+  bool sticky;
+};
+
 template <class Integer>
-RoundedNumber nearest_double(Integer n, Integer w, int exponent) {
-  assert(sign(w) > 0);
-  const int negative = sign(n);
-  if (negative == 0) {
-    return {0.0, true};
-  }
-  if (negative < 0) {
-    n = -n;
-  }
+Quotient quotient(Integer n, Integer w) {
   const int shift = 55 - (bit_length(n) - bit_length(w));
   if (shift >= 0) {
     n <<= shift;
   } else {
     w <<= -shift;
   }
-  const auto [quotient, remainder] = divide(n, w);
-  return rounded_digits(static_cast<std::uint64_t>(quotient), exponent - shift,
-                        sign(remainder) != 0, negative < 0);
+  const auto [digits, remainder] = divide(n, w);
+  return {static_cast<std::uint64_t>(digits), -shift, sign(remainder) != 0};
+}
+
+// The double nearest to n / w * 2^exponent, ties to even. w must be positive.
+//
+// A power of two scales the fraction to a quotient of 55 or 56 bits. Its bits below the last bit of
+// the double, and the remainder, tell which way to round.
+template <class Integer>
+RoundedNumber nearest_double(const Integer& n, const Integer& w, int exponent) {
+  assert(sign(w) > 0);
+  const int sign_of_n = sign(n);
+  if (sign_of_n == 0) {
+    return {0.0, true};
+  }
+  const Quotient scaled = quotient(sign_of_n < 0 ? Integer(-n) : n, w);
+  return rounded_digits(scaled.digits, exponent + scaled.unit, scaled.sticky, sign_of_n < 0);
+}
+
+// The largest double that is at most n / w, for n from 0 on and w above 0.
+template <class Integer>
+double double_below(const Integer& n, const Integer& w) {
+  assert(sign(n) >= 0 && sign(w) > 0);
+  if (sign(n) == 0) {
+    return 0;
+  }
+  const Quotient scaled = quotient(n, w);
+  const int last =
+      std::max(scaled.unit + static_cast<int>(std::bit_width(scaled.digits)) - 53, -1074);
+  const int dropped = last - scaled.unit;
+  return dropped > 63 ? 0 : std::ldexp(static_cast<double>(scaled.digits >> dropped), last);
 }
 
 // The double nearest to sqrt(n / w) * 2^exponent, ties to even. n must not be negative, and w must

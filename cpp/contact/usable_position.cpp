@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "usable_position.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+#include "gap.hpp"
+#include "predicates.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The sign of an exact coordinate minus a double.
+int compare_x(const ExactTranslation& exact, double x, Tally& tally) {
+  if (exact.is_sum) {
+    return compare_sums(exact.sum.a.x, exact.sum.b.x, x, 0, tally);
+  }
+  const SumEdge& s = exact.s.from.x != exact.s.to.x ? exact.s : exact.t;
+  const SumEdge& t = exact.s.from.x != exact.s.to.x ? exact.t : exact.s;
+  const SumEdge upright{{{x, 0}, {0, 0}}, {0, 0}, {0, 1}, 0, 1};
+  const int order = compare_crossings(s, t, upright, tally);
+  return s.from.x < s.to.x ? order : -order;
+}
+int compare_y(const ExactTranslation& exact, double y, Tally& tally) {
+  if (exact.is_sum) {
+    return compare_sums(exact.sum.a.y, exact.sum.b.y, y, 0, tally);
+  }
+  const SumEdge& s = exact.s.from.y != exact.s.to.y ? exact.s : exact.t;
+  const SumEdge& t = exact.s.from.y != exact.s.to.y ? exact.t : exact.s;
+  const SumEdge level{{{0, y}, {0, 0}}, {0, 0}, {1, 0}, 1, 0};
+  const int order = compare_crossings(s, t, level, tally);
+  return s.from.y < s.to.y ? order : -order;
+}
+
+// A number of doubles to go up, or down.
+double stepped(double x, int steps) {
+  for (; steps > 0; --steps) {
+    x = std::nextafter(x, std::numeric_limits<double>::infinity());
+  }
+  for (; steps < 0; ++steps) {
+    x = std::nextafter(x, -std::numeric_limits<double>::infinity());
+  }
+  return x + 0.0;
+}
+
+struct Steps {
+  int x;
+  int y;
+  [[nodiscard]] int square() const { return x * x + y * y; }
+};
+
+// All of at most two doubles each way, from the shortest on.
+std::array<Steps, 25> all_steps() {
+  std::array<Steps, 25> all{};
+  std::size_t count = 0;
+  for (int x = -2; x <= 2; ++x) {
+    for (int y = -2; y <= 2; ++y) {
+      all[count++] = {x, y};
+    }
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Steps& p, const Steps& q) { return p.square() < q.square(); });
+  return all;
+}
+
+// Two doubles away from the nearest one is within 2 ulps on the side of the exact number alone.
+bool is_within_two_ulps(int steps, int side_of_exact) {
+  return std::abs(steps) < 2 || (steps > 0 ? side_of_exact > 0 : side_of_exact < 0);
+}
+
+}  // namespace
+
+UsablePosition usable_position(const PolygonPair& pair, const ExactTranslation& exact,
+                               Tally& tally) {
+  const Point nearest =
+      exact.is_sum ? nearest_point(exact.sum, tally) : nearest_crossing(exact.s, exact.t, tally);
+  if (!std::isfinite(nearest.x) || !std::isfinite(nearest.y)) {
+    return {nearest, Relation::overlapping};
+  }
+  const Relation there = relation(PlacedPair(pair, nearest), tally);
+  if (there != Relation::overlapping) {
+    return {nearest, there};
+  }
+  static const std::array<Steps, 25> steps = all_steps();
+  const int side_x = compare_x(exact, nearest.x, tally);
+  const int side_y = compare_y(exact, nearest.y, tally);
+  for (const Steps& step : steps) {
+    const Point position{stepped(nearest.x, step.x), stepped(nearest.y, step.y)};
+    if (is_within_two_ulps(step.x, side_x) && is_within_two_ulps(step.y, side_y) &&
+        std::isfinite(position.x) && std::isfinite(position.y)) {
+      const Relation relation_there = relation(PlacedPair(pair, position), tally);
+      if (relation_there != Relation::overlapping) {
+        return {position, relation_there};
+      }
+    }
+  }
+  return {nearest, Relation::overlapping};
+}
+
+}  // namespace gcv
