@@ -11,6 +11,12 @@ struct BoxedNode {
   Box box;
 };
 
+// Is there such a child? The box of a missing one holds no point. Searches ask where numbers that
+// overflow leave no box apart.
+inline bool has_child(const ChainTree::Block& block, std::uint32_t lane) {
+  return block.x0[lane] <= block.x1[lane];
+}
+
 inline Box moved(const Box& box, const Point& offset) {
   return {box.x0 + offset.x, box.y0 + offset.y, box.x1 + offset.x, box.y1 + offset.y};
 }

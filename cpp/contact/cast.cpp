@@ -101,7 +101,8 @@ class FirstEntry {
     std::uint32_t count = 0;
     for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
       const double reach = (1 + 0x1p-48) * last[lane] + 0x1p-48;
-      if (!(first[lane] > reach) && !(last[lane] < -0x1p-48) && !(first[lane] > limit_)) {
+      if (!(first[lane] > reach) && !(last[lane] < -0x1p-48) && !(first[lane] > limit_) &&
+          has_child(block, lane)) {
         std::uint32_t place = count++;
         for (; place > 0 && children[place - 1].time > first[lane]; --place) {
           children[place] = children[place - 1];

@@ -22,8 +22,11 @@ class NearestPairs {
         a_(placed.pair.tree_a.tree),
         b_(placed.pair.tree_b.tree),
         offset_(placed.offset()),
-        slack_(placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y))) {
-    descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)});
+        scale_(
+            scale_for(extent(a_.box) + extent(b_.box) + std::abs(offset_.x) + std::abs(offset_.y))),
+        slack_(scale_ *
+               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {
+    descend({{0, 0}, a_.box}, {{0, 0}, gcv::moved(b_.box, offset_)});
   }
 
   // Calls visit(name) for each of them: the vertex may be nearest to an end of the edge.
@@ -59,9 +62,10 @@ class NearestPairs {
       });
     } else {
       const ChainTree::Block& block = b_.blocks[b_.block_below(b.node)];
-      for_each_near_child(block, moved(a.box, {-offset_.x, -offset_.y}), [&](std::uint32_t lane) {
-        descend(a, {ChainTree::child(b.node, lane), moved(block.box(lane), offset_)});
-      });
+      for_each_near_child(
+          block, gcv::moved(a.box, {-offset_.x, -offset_.y}), [&](std::uint32_t lane) {
+            descend(a, {ChainTree::child(b.node, lane), gcv::moved(block.box(lane), offset_)});
+          });
     }
   }
 
@@ -74,11 +78,13 @@ class NearestPairs {
     const SimdDouble y = larger(
         none, larger(SimdDouble::load(block.y0) + -box.y1, box.y0 - SimdDouble::load(block.y1)));
     double squares[ChainTree::width];
-    (x * x + y * y).store(squares);
+    const SimdDouble scaled_x = scale_ * x;
+    const SimdDouble scaled_y = scale_ * y;
+    (scaled_x * scaled_x + scaled_y * scaled_y).store(squares);
     Child children[ChainTree::width];
     std::uint32_t count = 0;
     for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
-      if (!(squares[lane] > limit_)) {
+      if (!(squares[lane] > limit_) && has_child(block, lane)) {
         std::uint32_t place = count++;
         for (; place > 0 && children[place - 1].square > squares[lane]; --place) {
           children[place] = children[place - 1];
@@ -93,10 +99,10 @@ class NearestPairs {
 
   // The start of each of the edges and the other edge.
   void add_pairs(Index i, Index j) {
-    const Point p = placed_.a.relative(i);
-    const Point p_end = placed_.a.relative(placed_.a.next(i));
-    const Point q = moved_by_offset(placed_.b.relative(j));
-    const Point q_end = moved_by_offset(placed_.b.relative(placed_.b.next(j)));
+    const Point p = scaled(placed_.a.relative(i));
+    const Point p_end = scaled(placed_.a.relative(placed_.a.next(i)));
+    const Point q = scaled(moved(placed_.b.relative(j)));
+    const Point q_end = scaled(moved(placed_.b.relative(placed_.b.next(j))));
     add({ContactKind::edge_vertex, i, j}, square_of_distance(p, p_end, q));
     add({ContactKind::vertex_edge, i, j}, square_of_distance(q, q_end, p));
   }
@@ -112,8 +118,12 @@ class NearestPairs {
     }
   }
 
-  [[nodiscard]] Point moved_by_offset(const Point& p) const {
-    return {p.x + offset_.x, p.y + offset_.y};
+  [[nodiscard]] Point moved(const Point& p) const { return {p.x + offset_.x, p.y + offset_.y}; }
+  [[nodiscard]] Point scaled(const Point& p) const { return {scale_ * p.x, scale_ * p.y}; }
+  // A power of two by which lengths of that size can be multiplied so that their squares are in
+  // range.
+  static double scale_for(double size) {
+    return size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1;
   }
 
   static double square(double x, double y) { return x * x + y * y; }
@@ -136,6 +146,7 @@ class NearestPairs {
   const ChainTree& a_;
   const ChainTree& b_;
   const Point offset_;
+  const double scale_;  // of all distances below
   const double slack_;
   double least_ = std::numeric_limits<double>::infinity();
   double limit_ = std::numeric_limits<double>::infinity();

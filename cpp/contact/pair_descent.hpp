@@ -37,7 +37,8 @@ class NearPairs {
       const ChainTree::Block& block = a_.blocks[a_.block_below(a.node)];
       for (unsigned lanes = block.overlapping(b.box); lanes != 0; lanes &= lanes - 1) {
         const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        if (descend({ChainTree::child(a.node, lane), block.box(lane)}, b)) {
+        if (has_child(block, lane) &&
+            descend({ChainTree::child(a.node, lane), block.box(lane)}, b)) {
           return true;
         }
       }
@@ -48,7 +49,7 @@ class NearPairs {
     for (unsigned lanes = block.overlapping(around); lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
       const Box box = widened(moved(block.box(lane), offset_), slack_);
-      if (descend(a, {ChainTree::child(b.node, lane), box})) {
+      if (has_child(block, lane) && descend(a, {ChainTree::child(b.node, lane), box})) {
         return true;
       }
     }

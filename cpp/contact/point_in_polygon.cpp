@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "point_in_polygon.hpp"
 
+#include "box_nodes.hpp"
+
 namespace gcv {
 
 namespace {
@@ -13,8 +15,11 @@ void for_each_edge_on_ray(const ChainTree& tree, const ChainTree::Node& node, co
     visit(node.index);
     return;
   }
-  for_each_lane(tree.blocks[tree.block_below(node)].overlapping(ray), [&](std::uint32_t lane) {
-    for_each_edge_on_ray(tree, ChainTree::child(node, lane), ray, visit);
+  const ChainTree::Block& block = tree.blocks[tree.block_below(node)];
+  for_each_lane(block.overlapping(ray), [&](std::uint32_t lane) {
+    if (has_child(block, lane)) {
+      for_each_edge_on_ray(tree, ChainTree::child(node, lane), ray, visit);
+    }
   });
 }
 

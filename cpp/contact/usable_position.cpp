@@ -66,9 +66,10 @@ std::array<Steps, 25> all_steps() {
   return all;
 }
 
-// Two doubles away from the nearest one is within 2 ulps on the side of the exact number alone.
+// Two doubles away from the nearest one is within 2 ulps, but not on the other side of it than the
+// exact number.
 bool is_within_two_ulps(int steps, int side_of_exact) {
-  return std::abs(steps) < 2 || (steps > 0 ? side_of_exact > 0 : side_of_exact < 0);
+  return std::abs(steps) < 2 || (steps > 0 ? side_of_exact >= 0 : side_of_exact <= 0);
 }
 
 }  // namespace

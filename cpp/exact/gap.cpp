@@ -194,7 +194,7 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
     const Integer w = square(exact);
     const auto coordinate = [&](const Integer& x) {
       const double size = nearest_root_of(Integer(x * x), w, 0);
-      return sign(x) < 0 ? -size : size;
+      return sign(x) < 0 ? 0.0 - size : size;
     };
     return Point{coordinate(exact.x), coordinate(exact.y)};
   });
@@ -231,14 +231,15 @@ double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally) {
 Point nearest_point(const SumPoint& point, Tally& tally) {
   if (const auto in_doubles = rounded_sum(point, {0, 0})) {
     ++tally.filtered;
-    return {in_doubles->x.value, in_doubles->y.value};
+    return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
   }
   const Grid grid{point.a, point.b};
   return with_integers(rounding_bits(grid.bits() + 1), tally, [&]<class Integer>() {
     const auto nearest = [&](double a, double b) {
       return nearest_double(Integer(grid.integer<Integer>(a) + grid.integer<Integer>(b)),
                             Integer(1), grid.exponent())
-          .value;
+                 .value +
+             0.0;
     };
     return Point{nearest(point.a.x, point.b.x), nearest(point.a.y, point.b.y)};
   });
@@ -247,15 +248,15 @@ Point nearest_point(const SumPoint& point, Tally& tally) {
 Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally) {
   if (const auto in_doubles = rounded_crossing(s, t, {0, 0})) {
     ++tally.filtered;
-    return {in_doubles->x.value, in_doubles->y.value};
+    return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
   }
   Grid grid;
   grid.include(s);
   grid.include(t);
   return with_integers(rounding_bits(crossing_bits(grid.bits())), tally, [&]<class Integer>() {
     const HomogeneousPoint<Integer> p = crossing<Integer>(grid, s, t, {0, 0});
-    return Point{nearest_double(p.x, p.w, grid.exponent()).value,
-                 nearest_double(p.y, p.w, grid.exponent()).value};
+    return Point{nearest_double(p.x, p.w, grid.exponent()).value + 0.0,
+                 nearest_double(p.y, p.w, grid.exponent()).value + 0.0};
   });
 }
 
