@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// gcv_cast against the reference; positions of doubles.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "contact_agreement.hpp"
+#include "correct_rounding.hpp"
+#include "motion_reference.hpp"
+
+namespace gcv::test {
+
+namespace {
+
+using invariants::exact;
+using reference::Exact;
+using reference::Rational;
+
+// The doubles at most two units in the last place from the exact number, and the nearest one.
+std::vector<double> doubles_near(const Rational& exact) {
+  double x = invariants::nearest(exact);
+  for (int k = 0; k < 3; ++k) {
+    x = std::nextafter(x, -HUGE_VAL);
+  }
+  std::vector<double> near;
+  for (int k = 0; k < 7; ++k, x = std::nextafter(x, HUGE_VAL)) {
+    if (!std::isfinite(x)) {
+      continue;
+    }
+    const double high = std::nextafter(x, HUGE_VAL);
+    const double low = std::nextafter(x, -HUGE_VAL);
+    if (-invariants::exactly_above(-low) <= exact && exact <= invariants::exactly_above(high)) {
+      near.push_back(x == 0 ? 0 : x);
+    }
+  }
+  return near;
+}
+
+std::string impact_difference(const ContactPair& pair, const gcv_impact& got,
+                              const reference::Impact& wanted, const Exact& start,
+                              const Exact& motion, ContactCounts& counts) {
+  if (got.hit != (wanted.hit ? 1 : 0)) {
+    return "hit " + std::to_string(got.hit) + ", not at " + wanted.time.str();
+  }
+  if (!invariants::is_rounded_down(got.time, wanted.time)) {
+    return "time " + text_of(got.time) + ", not " + wanted.time.str() + " rounded down";
+  }
+  if (wanted.time > 0 &&
+      reference::overlap(pair.exact_a, moved(pair.exact_b, start + Rational(got.time) * motion))) {
+    return "overlap at time " + text_of(got.time);
+  }
+  const std::string contact =
+      contact_difference(got.contact, wanted.entered.empty() ? nullptr : &wanted.entered.front());
+  return contact.empty() ? position_difference(pair, got.position, got.relation,
+                                               start + wanted.time * motion, counts)
+                         : contact;
+}
+
+}  // namespace
+
+std::string position_difference(const ContactPair& pair, const double position[2], int relation,
+                                const Exact& exact_place, ContactCounts& counts) {
+  const std::vector<double> xs = doubles_near(exact_place.x);
+  const std::vector<double> ys = doubles_near(exact_place.y);
+  const Point got{position[0], position[1]};
+  const auto is_among = [](const std::vector<double>& near, double x) {
+    return std::find(near.begin(), near.end(), x) != near.end();
+  };
+  const std::string place = "position " + text_of(got) + ": ";
+  if (!is_among(xs, got[0]) || !is_among(ys, got[1])) {
+    return place + "not within 2 ulps of " + exact_place.x.str() + " " + exact_place.y.str();
+  }
+  const std::string wrong_relation = relation_difference(
+      relation, reference::relation(pair.exact_a, moved(pair.exact_b, exact(got))));
+  if (!wrong_relation.empty()) {
+    return place + wrong_relation;
+  }
+  if (relation != reference::overlapping) {
+    return "";
+  }
+  ++counts.not_free;
+  if (!are_nearest(position, exact_place)) {
+    return place + "overlaps, but is not the nearest";
+  }
+  for (const double x : xs) {
+    for (const double y : ys) {
+      if (!reference::overlap(pair.exact_a, moved(pair.exact_b, exact(Point{x, y})))) {
+        return place + "overlaps, " + text_of(Point{x, y}) + " does not";
+      }
+    }
+  }
+  return "";
+}
+
+Messages check_casts(const ContactPair& pair, const Points& translations, const Points& motions,
+                     ContactCounts& counts) {
+  // Those in range, all at once.
+  Points in_range;
+  Points their_motions;
+  std::vector<reference::Impact> expected;
+  Messages messages;
+  for (std::size_t k = 0; k < translations.size(); ++k) {
+    const Exact start = exact(translations[k]);
+    const Exact motion = exact(motions[k]);
+    const reference::Impact wanted =
+        reference::impact(pair.exact_a, moved(pair.exact_b, start), motion);
+    std::size_t& count = !wanted.hit              ? counts.misses
+                         : wanted.entered.empty() ? counts.starts_inside
+                                                  : counts.hits;
+    ++count;
+    if (!is_out_of_range(start + wanted.time * motion) &&
+        (wanted.entered.empty() || !is_out_of_range(wanted.entered.front()))) {
+      in_range.push_back(translations[k]);
+      their_motions.push_back(motions[k]);
+      expected.push_back(wanted);
+      continue;
+    }
+    ++counts.out_of_range;
+    gcv_impact unused;
+    if (gcv_cast(pair.a.get(), pair.b.get(), translations[k].data(), motions[k].data(), 1, nullptr,
+                 &unused) != GCV_ERR_RANGE) {
+      report(messages, translations[k], motions[k], "an impact, not GCV_ERR_RANGE");
+    }
+  }
+  const std::size_t count = expected.size();
+  if (count == 0) {
+    return messages;
+  }
+  std::vector<gcv_impact> got(count);
+  invariants::require(gcv_cast(pair.a.get(), pair.b.get(), in_range.front().data(),
+                               their_motions.front().data(), count, nullptr, got.data()),
+                      "casts");
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point& t = in_range[k];
+    report(messages, t, their_motions[k],
+           impact_difference(pair, got[k], expected[k], exact(t), exact(their_motions[k]), counts));
+  }
+  return messages;
+}
+
+}  // namespace gcv::test

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The C functions for two polygons against the reference. Each check gives a sentence for every
+// difference, with the place as a caller would pass it.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "contact_reference.hpp"
+#include "handles.hpp"
+
+namespace gcv::test {
+
+using invariants::Point;
+using Points = std::vector<Point>;
+using Messages = std::vector<std::string>;
+
+// Two polygons for both sides.
+struct ContactPair {
+  invariants::PolygonHandle a;
+  invariants::PolygonHandle b;
+  reference::Solid exact_a;
+  reference::Solid exact_b;
+
+  // Throws invariants::Failure where a polygon is not valid.
+  ContactPair(const reference::Rings& a_rings, const reference::Rings& b_rings);
+};
+
+// How often something was met.
+struct ContactCounts {
+  std::size_t apart = 0;
+  std::size_t touching = 0;
+  std::size_t overlapping = 0;
+  std::size_t hits = 0;
+  std::size_t misses = 0;
+  std::size_t starts_inside = 0;
+  std::size_t not_free = 0;  // positions without a free one near them
+  std::size_t out_of_range = 0;
+  std::size_t listed = 0;  // contacts in lists
+};
+
+Messages check_relations(const ContactPair& pair, const Points& translations,
+                         ContactCounts& counts);
+Messages check_distances(const ContactPair& pair, const Points& translations,
+                         ContactCounts& counts);
+Messages check_casts(const ContactPair& pair, const Points& translations, const Points& motions,
+                     ContactCounts& counts);
+
+// ---- What the checks consist of
+
+std::string text_of(double x);
+std::string text_of(const Point& p);
+
+// Adds "translation, motion: what" to the messages, unless `what` is "".
+void report(Messages& messages, const Point& translation, const std::string& what);
+void report(Messages& messages, const Point& translation, const Point& motion,
+            const std::string& what);
+
+std::string relation_difference(int got, int wanted);
+bool are_nearest(const double got[2], const reference::Exact& wanted);
+
+// What is wrong with the record of that contact: "" if nothing.
+std::string contact_difference(const gcv_contact& got, const reference::Contact* wanted);
+
+// Is it a position for that exact translation: within two units in the last place; with the
+// relation there; free if that can be? "" if so.
+std::string position_difference(const ContactPair& pair, const double position[2], int relation,
+                                const reference::Exact& exact, ContactCounts& counts);
+
+// Has a number of the contact, or a coordinate, no double?
+bool is_out_of_range(const reference::Contact& contact);
+bool is_out_of_range(const reference::Exact& p);
+
+}  // namespace gcv::test

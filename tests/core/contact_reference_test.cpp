@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Questions about two polygons against their definitions, on random scenes full of ties. The
+// reference looks at every pair of edges and vertices, in fractions.
+//   contact_reference_test [--cases=N] [--seed=N]: scenes of each family.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "contact_agreement.hpp"
+#include "contact_scenes.hpp"
+
+namespace gcv::test {
+namespace {
+
+int cases = 12;
+std::uint64_t seed = 1;
+
+std::string text_of(const std::vector<invariants::Polygon>& rings) {
+  std::string text = "POLYGON (";
+  for (const invariants::Polygon& ring : rings) {
+    text += &ring == &rings.front() ? "(" : ", (";
+    for (const Point& p : ring) {
+      char vertex[80];
+      static_cast<void>(std::snprintf(vertex, sizeof vertex, "%s%.17g %.17g",
+                                      &p == &ring.front() ? "" : ", ", p[0], p[1]));
+      text += vertex;
+    }
+    text += ")";
+  }
+  return text + ")";
+}
+
+// Calls check(scene, pair) for the scenes of the family whose polygons are valid.
+template <class Check>
+void for_each_scene(const RegionFamily& family, int count, int translations, Check check) {
+  Random random(seed);
+  for (int k = 0; k < count;) {
+    const ContactScene scene = contact_scene(family, random, translations);
+    std::unique_ptr<ContactPair> pair;
+    try {
+      pair = std::make_unique<ContactPair>(scene.a, scene.b);
+    } catch (const invariants::Failure&) {
+      continue;
+    }
+    for (const std::string& message : check(scene, *pair)) {
+      ADD_FAILURE() << "case " << k << ": " << message << "\na: " << text_of(scene.a)
+                    << "\nb: " << text_of(scene.b);
+    }
+    ++k;
+  }
+}
+
+class TwoPolygons : public ::testing::TestWithParam<RegionFamily> {};
+
+TEST_P(TwoPolygons, HaveTheRelationOfTheDefinition) {
+  ContactCounts counts;
+  for_each_scene(GetParam(), 4 * cases, 16, [&](const ContactScene& scene, const auto& pair) {
+    return check_relations(pair, scene.translations, counts);
+  });
+  std::printf("seed %llu: %zu apart, %zu touching, %zu overlapping\n",
+              static_cast<unsigned long long>(seed), counts.apart, counts.touching,
+              counts.overlapping);
+}
+
+TEST_P(TwoPolygons, HaveTheDistanceOfTheDefinition) {
+  ContactCounts counts;
+  for_each_scene(GetParam(), 4 * cases, 8, [&](const ContactScene& scene, const auto& pair) {
+    return check_distances(pair, scene.translations, counts);
+  });
+  std::printf("seed %llu: %zu out of range\n", static_cast<unsigned long long>(seed),
+              counts.out_of_range);
+}
+
+TEST_P(TwoPolygons, MoveUntilTheyOverlap) {
+  ContactCounts counts;
+  for_each_scene(GetParam(), cases, 6, [&](const ContactScene& scene, const auto& pair) {
+    return check_casts(pair, scene.translations, scene.motions, counts);
+  });
+  std::printf(
+      "seed %llu: %zu hits, %zu misses, %zu overlap at the start, %zu without a free "
+      "position, %zu out of range\n",
+      static_cast<unsigned long long>(seed), counts.hits, counts.misses, counts.starts_inside,
+      counts.not_free, counts.out_of_range);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, TwoPolygons,
+                         ::testing::ValuesIn(region_families().begin(), region_families().end()),
+                         [](const auto& family) {
+                           std::string name = family.param.name;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+// Takes the options of this program. False for any other.
+bool take_options(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string option = argv[k];
+    const std::size_t length = option.find('=') + 1;
+    const std::string value = option.substr(length);
+    if (option.starts_with("--cases=")) {
+      cases = std::atoi(value.c_str());
+    } else if (option.starts_with("--seed=")) {
+      seed = std::strtoull(value.c_str(), nullptr, 10);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace gcv::test
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  if (!gcv::test::take_options(argc, argv)) {
+    std::cerr << "usage: " << argv[0] << " [--cases=N] [--seed=N]\n";
+    return 2;
+  }
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "contact_scenes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <utility>
+
+namespace gcv::test {
+
+namespace {
+
+using Place = invariants::Point;
+using Polygon = invariants::Polygon;
+using Polygons = std::vector<Polygon>;
+
+bool one_in(Random& random, int count) { return uniform(random, 1, count) == 1; }
+
+template <class List>
+const auto& one_of(Random& random, const List& list) {
+  return list[static_cast<std::size_t>(uniform(random, 0, static_cast<int>(std::size(list)) - 1))];
+}
+
+Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1]}; }
+Place minus(const Place& p, const Place& q) { return {p[0] - q[0], p[1] - q[1]}; }
+Place times(double s, const Place& p) { return {s * p[0], s * p[1]}; }
+
+// Between -12 and 12 units.
+Place random_place(Random& random, double unit) {
+  const double x = uniform(random, -48, 48) / 4.0;
+  return {unit * x, unit * (uniform(random, -48, 48) / 4.0)};
+}
+
+// The size of 1 of the family.
+double random_unit(Random& random) {
+  switch (uniform(random, 0, 9)) {
+    case 0:  // subnormal numbers
+      return std::ldexp(1.0, uniform(random, -1074, -1040));
+    case 1:  // up to the largest doubles
+      return std::ldexp(1.0, uniform(random, 990, 1019));
+    case 2:
+      return one_of(random, std::array{1e150, 1e300, 1e-300, 1.0 / 3});
+    case 3:
+      return std::ldexp(1.0, uniform(random, -600, 600));
+    default:
+      return 1;
+  }
+}
+
+Place random_offset(Random& random, double unit) {
+  switch (uniform(random, 0, 7)) {
+    case 0:  // integers stay exact
+      return times(std::ldexp(1.0, uniform(random, 20, 44)), random_place(random, unit));
+    case 1:
+      return times(1.0 / 3, random_place(random, unit));
+    default:
+      return {0, 0};
+  }
+}
+
+// The same ring, passed in another way.
+void pass_otherwise(Random& random, Polygon& ring) {
+  if (one_in(random, 4)) {
+    std::reverse(ring.begin(), ring.end());
+  }
+  if (one_in(random, 4)) {
+    const int start = uniform(random, 0, static_cast<int>(ring.size()) - 1);
+    std::rotate(ring.begin(), ring.begin() + start, ring.end());
+  }
+  if (one_in(random, 8)) {
+    const int k = uniform(random, 0, static_cast<int>(ring.size()) - 1);
+    const Place repeated = ring[static_cast<std::size_t>(k)];
+    ring.insert(ring.begin() + k, repeated);
+  }
+  if (one_in(random, 8)) {
+    const Place closing = ring.front();
+    ring.push_back(closing);
+  }
+}
+
+Polygons placed(Random& random, const Rings& rings, double unit, const Place& offset) {
+  Polygons result;
+  for (const Ring& ring : rings) {
+    Polygon polygon;
+    for (const Point& p : ring) {
+      polygon.push_back(plus({unit * p.x, unit * p.y}, offset));
+    }
+    pass_otherwise(random, polygon);
+    result.push_back(polygon);
+  }
+  return result;
+}
+
+// The container as the hole of a block.
+Rings block_around(const Ring& container) {
+  Ring block{{-20, -20}, {40, -20}, {40, 40}, {-20, 40}};
+  return {block, container};
+}
+
+struct Span {
+  Place from;
+  Place to;
+};
+
+Span random_edge(Random& random, const Polygons& rings) {
+  const Polygon& ring = one_of(random, rings);
+  const auto k = static_cast<std::size_t>(uniform(random, 0, static_cast<int>(ring.size()) - 1));
+  return {ring[k], ring[(k + 1) % ring.size()]};
+}
+
+// A vertex, or a point of an edge at an eighth of it.
+Place random_boundary_point(Random& random, const Polygons& rings) {
+  const Span e = random_edge(random, rings);
+  const double share = std::max(uniform(random, -7, 7), 0) / 8.0;
+  return plus(e.from, times(share, minus(e.to, e.from)));
+}
+
+// A vertex meets a vertex or an edge, but for roundings.
+Place random_contact(Random& random, const Polygons& a, const Polygons& b) {
+  const bool is_vertex_of_a = one_in(random, 2);
+  const Place on_a =
+      is_vertex_of_a ? random_edge(random, a).from : random_boundary_point(random, a);
+  return minus(on_a,
+               is_vertex_of_a ? random_boundary_point(random, b) : random_edge(random, b).from);
+}
+
+// Some units in the last place off.
+Place beside(Random& random, Place p) {
+  for (int k = uniform(random, 1, 3); k > 0; --k) {
+    double& x = p[static_cast<std::size_t>(uniform(random, 0, 1))];
+    x = std::nextafter(x, one_in(random, 2) ? HUGE_VAL : -HUGE_VAL);
+  }
+  return p;
+}
+
+Place random_translation(Random& random, const Polygons& a, const Polygons& b, double unit) {
+  const Place contact = random_contact(random, a, b);
+  const Place step = random_place(random, unit);
+  switch (uniform(random, 0, 9)) {
+    case 0:
+    case 1:
+      return contact;
+    case 2:
+      return beside(random, contact);
+    case 3:
+      return plus(contact, times(1.0 / 1024, step));
+    case 4:
+      return plus(contact, times(std::ldexp(1.0, uniform(random, 4, 60)), step));
+    case 5:  // as the family has them: many exact fits
+      return {0, 0};
+    case 6:
+      return step;
+    default:
+      return plus(contact, times(1.0 / 8, step));
+  }
+}
+
+Place random_motion(Random& random, const Polygons& a, const Polygons& b, const Place& from,
+                    double unit) {
+  static constexpr std::array factors{1.0, 0.5, 2.0, 1.5, 0.25, 4.0, -1.0};
+  const double factor = one_of(random, factors);
+  const Place step = random_place(random, unit);
+  switch (uniform(random, 0, 9)) {
+    case 0:
+      return {0, 0};
+    case 1:
+    case 2:
+    case 3:  // through a contact
+      return times(factor, minus(random_contact(random, a, b), from));
+    case 4:
+    case 5: {  // along an edge
+      const Span e = random_edge(random, one_in(random, 2) ? a : b);
+      return times(factor, minus(e.to, e.from));
+    }
+    case 6:
+      return one_in(random, 2) ? Place{step[0], 0} : Place{0, step[1]};
+    case 7:
+      return times(std::ldexp(1.0, uniform(random, -50, 50)), step);
+    default:
+      return step;
+  }
+}
+
+}  // namespace
+
+ContactScene contact_scene(const RegionFamily& family, Random& random, int translations) {
+  const RegionCase c = family.next_case(random);
+  const double unit = random_unit(random);
+  // The sum of a and b is where a and the negated b overlap.
+  const Rings b = c.inner_fit ? c.b : negated(c.b);
+  const bool is_hole = c.inner_fit && c.a.size() == 1 && one_in(random, 2);
+  const Place offset = random_offset(random, unit);
+  ContactScene scene;
+  scene.a = placed(random, is_hole ? block_around(c.a.front()) : c.a, unit, offset);
+  scene.b = placed(random, b, unit, one_in(random, 2) ? offset : random_offset(random, unit));
+  for (int k = 0; k < translations; ++k) {
+    const Place t = random_translation(random, scene.a, scene.b, unit);
+    scene.translations.push_back(t);
+    scene.motions.push_back(random_motion(random, scene.a, scene.b, t, unit));
+  }
+  return scene;
+}
+
+}  // namespace gcv::test
