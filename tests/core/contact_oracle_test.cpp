@@ -125,7 +125,7 @@ TEST(Cast, StopsAtAnEdge) {
   const Impact hit = impact(square(), moved(square(), place(5, 1)), place(-6, 0));
   EXPECT_TRUE(hit.hit);
   EXPECT_EQ(hit.time, Rational(1, 2));
-  EXPECT_EQ(names(hit.entered), "1:1,0 2:2,3 ");
+  EXPECT_EQ(names(hit.entered.contacts), "1:1,0 2:2,3 ");
 }
 
 TEST(Cast, SlidesAndGrazes) {
@@ -148,7 +148,7 @@ TEST(Cast, StartsInTheOther) {
   EXPECT_TRUE(impact(square(), square(), place(0, 0)).hit);
   const Impact touch = impact(square(), moved(square(), place(2, 0)), place(-1, 0));
   EXPECT_EQ(touch.time, 0);
-  EXPECT_EQ(names(touch.entered), "3:1,0 3:2,3 ");
+  EXPECT_EQ(names(touch.entered.contacts), "3:1,0 3:2,3 ");
 }
 
 TEST(Cast, EntersAndLeavesSlots) {
@@ -158,11 +158,11 @@ TEST(Cast, EntersAndLeavesSlots) {
   const Impact down = impact(block, moved(square(), place(2, 6)), place(0, -8));
   EXPECT_TRUE(down.hit);
   EXPECT_EQ(down.time, Rational(1, 2));
-  EXPECT_EQ(names(down.entered), "3:4,1 3:5,0 ");
+  EXPECT_EQ(names(down.entered.contacts), "3:4,1 3:5,0 ");
   EXPECT_FALSE(impact(block, moved(square(), place(2, 2)), place(0, 8)).hit);
   const Impact beside = impact(block, moved(square(), place(2.5, 6)), place(0, -8));
   EXPECT_EQ(beside.time, Rational(1, 4));
-  EXPECT_EQ(names(beside.entered), "1:2,1 2:3,0 ");
+  EXPECT_EQ(names(beside.entered.contacts), "1:2,1 2:3,0 ");
 }
 
 TEST(Cast, EntersSectorsWhereRingsTouch) {
@@ -179,8 +179,9 @@ TEST(Cast, EntersSectorsWhereRingsTouch) {
     const Impact hit = impact(a, b, place(x, 0));
     EXPECT_TRUE(hit.hit);
     EXPECT_EQ(hit.time, 0);
+    EXPECT_TRUE(hit.entered.contacts.empty());
     ASSERT_FALSE(hit.entered.empty());
-    EXPECT_EQ(hit.entered.front().feature, (Feature{vertex_vertex, 1, 2}));
+    EXPECT_EQ(hit.entered.where_rings_touch.front().feature, (Feature{vertex_vertex, 1, 2}));
   }
 }
 

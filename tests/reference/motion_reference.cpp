@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <tuple>
+#include <optional>
 #include <utility>
-
-#include "solid_sectors.hpp"
+#include <vector>
 
 namespace gcv::reference {
 

@@ -4,19 +4,16 @@
 // the shortest way out. All places where something can change are tried, one after the other.
 #pragma once
 
-#include <optional>
-#include <vector>
-
 #include "contact_reference.hpp"
+#include "solid_sectors.hpp"
 
 namespace gcv::reference {
 
 struct Impact {
   bool hit;
   Rational time;
-  // The contacts that are entered, by feature: none without a hit, and where b overlaps a at the
-  // start.
-  std::vector<Contact> entered;
+  // None without a hit, and where b overlaps a at the start.
+  EnteredContacts entered;
 };
 
 // b moves from where it is along the motion.

@@ -87,19 +87,56 @@ std::optional<Contact> contact_between(const Solid& a, const BoundaryRay& p, con
                       : contact_of(a.corners[p.index], b.corners[q.index]);
 }
 
+// By feature, each once.
+void sort_once(std::vector<Contact>& contacts) {
+  std::sort(contacts.begin(), contacts.end(),
+            [](const Contact& c, const Contact& e) { return c.feature < e.feature; });
+  const auto same =
+      std::unique(contacts.begin(), contacts.end(),
+                  [](const Contact& c, const Contact& e) { return c.feature == e.feature; });
+  contacts.erase(same, contacts.end());
+}
+
+// Adds the contacts of sectors that meet after a motion, but not without one.
+void add_entered(const Solid& a, const std::vector<Sector>& of_a, const Solid& b,
+                 const std::vector<Sector>& of_b, const Exact& d, std::vector<Contact>& contacts) {
+  for (const Sector& s : of_a) {
+    for (const Sector& u : of_b) {
+      if (sectors_meet(s, u, {0, 0}) || !sectors_meet(s, u, d)) {
+        continue;
+      }
+      for (const BoundaryRay& p : {s.first, s.last}) {
+        for (const BoundaryRay& q : {u.first, u.last}) {
+          if (const auto contact = contact_between(a, p, b, q)) {
+            contacts.push_back(*contact);
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
+
+std::vector<Sector> sectors_of_rings_at(const Solid& solid, const Exact& x) {
+  std::vector<Sector> sectors;
+  for (std::size_t k = 0; k < solid.edges.size(); ++k) {
+    if (is_inside_edge(solid.edges[k], x)) {
+      sectors.push_back({{solid.edges[k].to - x, true, k}, {solid.edges[k].from - x, true, k}});
+    }
+    if (solid.corners[k].place == x) {
+      sectors.push_back(
+          {{solid.corners[k].after - x, false, k}, {solid.corners[k].before - x, false, k}});
+    }
+  }
+  return sectors;
+}
 
 std::vector<Sector> sectors_at(const Solid& solid, const Exact& x) {
   std::vector<MarkedRay> rays;
-  for (std::size_t k = 0; k < solid.edges.size(); ++k) {
-    if (is_inside_edge(solid.edges[k], x)) {
-      rays.push_back({{solid.edges[k].to - x, true, k}, true});
-      rays.push_back({{solid.edges[k].from - x, true, k}, false});
-    }
-    if (solid.corners[k].place == x) {
-      rays.push_back({{solid.corners[k].after - x, false, k}, true});
-      rays.push_back({{solid.corners[k].before - x, false, k}, false});
-    }
+  for (const Sector& s : sectors_of_rings_at(solid, x)) {
+    rays.push_back({s.first, true});
+    rays.push_back({s.last, false});
   }
   std::sort(rays.begin(), rays.end(), [](const MarkedRay& p, const MarkedRay& q) {
     return comes_before(p.ray.direction, q.ray.direction);
@@ -115,13 +152,6 @@ std::vector<Sector> sectors_at(const Solid& solid, const Exact& x) {
     }
   }
   return sectors;
-}
-
-bool meet_after(const Sector& a, const Sector& b, const Exact& d) {
-  if (sectors_meet(a, b, {0, 0})) {
-    throw std::logic_error("sectors that overlap without a motion");
-  }
-  return sectors_meet(a, b, d);
 }
 
 std::vector<Exact> contact_points(const Solid& a, const Solid& b) {
@@ -142,31 +172,20 @@ std::vector<Exact> contact_points(const Solid& a, const Solid& b) {
   return points;
 }
 
-std::vector<Contact> entered_contacts(const Solid& a, const Solid& b, const Exact& d) {
-  std::vector<Contact> result;
+EnteredContacts entered_contacts(const Solid& a, const Solid& b, const Exact& d) {
+  EnteredContacts result;
   for (const Exact& x : contact_points(a, b)) {
-    const std::vector<Sector> sectors_of_b = sectors_at(b, x);
-    for (const Sector& s : sectors_at(a, x)) {
-      for (const Sector& u : sectors_of_b) {
-        if (!meet_after(s, u, d)) {
-          continue;
-        }
-        for (const BoundaryRay& p : {s.first, s.last}) {
-          for (const BoundaryRay& q : {u.first, u.last}) {
-            if (const auto contact = contact_between(a, p, b, q)) {
-              result.push_back(*contact);
-            }
-          }
-        }
-      }
+    const std::vector<Sector> of_rings_of_a = sectors_of_rings_at(a, x);
+    const std::vector<Sector> of_rings_of_b = sectors_of_rings_at(b, x);
+    const bool rings_touch = of_rings_of_a.size() > 1 || of_rings_of_b.size() > 1;
+    std::vector<Contact>& contacts = rings_touch ? result.where_rings_touch : result.contacts;
+    add_entered(a, of_rings_of_a, b, of_rings_of_b, d, contacts);
+    if (rings_touch) {
+      add_entered(a, sectors_at(a, x), b, sectors_at(b, x), d, contacts);
     }
   }
-  std::sort(result.begin(), result.end(),
-            [](const Contact& c, const Contact& e) { return c.feature < e.feature; });
-  const auto same =
-      std::unique(result.begin(), result.end(),
-                  [](const Contact& c, const Contact& e) { return c.feature == e.feature; });
-  result.erase(same, result.end());
+  sort_once(result.contacts);
+  sort_once(result.where_rings_touch);
   return result;
 }
 

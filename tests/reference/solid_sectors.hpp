@@ -29,16 +29,25 @@ struct Sector {
 // None where x is not on the boundary.
 std::vector<Sector> sectors_at(const Solid& solid, const Exact& x);
 
-// Two sectors at one point, whose interiors do not meet. Do they meet after the second one has
-// moved along d, however little? Throws std::logic_error if they meet before.
-bool meet_after(const Sector& a, const Sector& b, const Exact& d);
+// The sectors that each ring would leave alone: the half-planes of edges and the corners. Where
+// rings touch they overlap.
+std::vector<Sector> sectors_of_rings_at(const Solid& solid, const Exact& x);
 
 // The points that are common to the boundaries of two polygons that do not overlap and are a
 // vertex of one. Each once.
 std::vector<Exact> contact_points(const Solid& a, const Solid& b);
 
-// The contacts that b enters when it moves along d: the pairs of features of two sectors that meet
-// then. a and b must not overlap. By feature.
-std::vector<Contact> entered_contacts(const Solid& a, const Solid& b, const Exact& d);
+struct EnteredContacts {
+  // The pairs of features whose half-planes and corners meet after a motion and do not meet before.
+  std::vector<Contact> contacts;
+  // At points where rings of a polygon touch, these pairs and those on the borders of sectors of
+  // the solids that meet. Which of them is hit is a matter of taste.
+  std::vector<Contact> where_rings_touch;
+
+  [[nodiscard]] bool empty() const { return contacts.empty() && where_rings_touch.empty(); }
+};
+
+// What b enters when it moves along d, however little. a and b must not overlap. By feature.
+EnteredContacts entered_contacts(const Solid& a, const Solid& b, const Exact& d);
 
 }  // namespace gcv::reference

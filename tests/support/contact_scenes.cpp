@@ -27,6 +27,10 @@ Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1]}; 
 Place minus(const Place& p, const Place& q) { return {p[0] - q[0], p[1] - q[1]}; }
 Place times(double s, const Place& p) { return {s * p[0], s * p[1]}; }
 
+Place finite(const Place& p) {
+  return {std::isfinite(p[0]) ? p[0] : 0, std::isfinite(p[1]) ? p[1] : 0};
+}
+
 // Between -12 and 12 units.
 Place random_place(Random& random, double unit) {
   const double x = uniform(random, -48, 48) / 4.0;
@@ -196,9 +200,9 @@ ContactScene contact_scene(const RegionFamily& family, Random& random, int trans
   scene.a = placed(random, is_hole ? block_around(c.a.front()) : c.a, unit, offset);
   scene.b = placed(random, b, unit, one_in(random, 2) ? offset : random_offset(random, unit));
   for (int k = 0; k < translations; ++k) {
-    const Place t = random_translation(random, scene.a, scene.b, unit);
+    const Place t = finite(random_translation(random, scene.a, scene.b, unit));
     scene.translations.push_back(t);
-    scene.motions.push_back(random_motion(random, scene.a, scene.b, t, unit));
+    scene.motions.push_back(finite(random_motion(random, scene.a, scene.b, t, unit)));
   }
   return scene;
 }
