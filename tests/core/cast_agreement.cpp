@@ -150,8 +150,16 @@ Messages check_casts(const ContactPair& pair, const Points& translations, const 
   invariants::require(gcv_cast(pair.a.get(), pair.b.get(), in_range.front().data(),
                                their_motions.front().data(), count, nullptr, got.data()),
                       "casts");
+  std::vector<gcv_impact> swapped(count);
+  // Where b lies may be in range in one place and out of range in the other.
+  const bool is_swapped =
+      gcv_cast(pair.b.get(), pair.a.get(), negated(in_range).front().data(),
+               negated(their_motions).front().data(), count, nullptr, swapped.data()) == GCV_OK;
   for (std::size_t k = 0; k < count; ++k) {
     const Point& t = in_range[k];
+    if (is_swapped && (swapped[k].hit != got[k].hit || swapped[k].time != got[k].time)) {
+      report(messages, t, their_motions[k], "another time with a and b exchanged");
+    }
     report(messages, t, their_motions[k],
            impact_difference(pair, got[k], expected[k], exact(t), exact(their_motions[k]), counts));
   }

@@ -48,13 +48,6 @@ invariants::PolygonHandle made(const reference::Rings& rings) {
   return invariants::PolygonHandle(polygon);
 }
 
-Points negated(Points points) {
-  for (Point& p : points) {
-    p = {0.0 - p[0], 0.0 - p[1]};
-  }
-  return points;
-}
-
 void count_relation(int relation, ContactCounts& counts) {
   std::size_t& count = relation == reference::apart      ? counts.apart
                        : relation == reference::touching ? counts.touching
@@ -112,6 +105,13 @@ std::string relation_difference(int got, int wanted) {
 
 bool are_nearest(const double got[2], const Exact& wanted) {
   return is_nearest(got[0], wanted.x) && is_nearest(got[1], wanted.y);
+}
+
+Points negated(Points points) {
+  for (Point& p : points) {
+    p = {0.0 - p[0], 0.0 - p[1]};
+  }
+  return points;
 }
 
 bool is_out_of_range(const reference::Exact& p) {

@@ -50,6 +50,8 @@ Messages check_casts(const ContactPair& pair, const Points& translations, const 
 
 // ---- What the checks consist of
 
+Points negated(Points points);
+
 std::string text_of(double x);
 std::string text_of(const Point& p);
 

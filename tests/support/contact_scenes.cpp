@@ -187,7 +187,28 @@ Place random_motion(Random& random, const Polygons& a, const Polygons& b, const 
   }
 }
 
+RegionCase spiky_stars(Random& random) {
+  const Ring a = random_spiky_star(random, uniform(random, 6, 24));
+  return {{a}, {random_spiky_star(random, uniform(random, 6, 12))}, false, {0, 0}};
+}
+
+RegionCase larger_integers(Random& random) {
+  const Ring a = random_small_integer_polygon(random, uniform(random, 12, 24), 12);
+  return {{a}, {random_small_integer_polygon(random, uniform(random, 5, 10), 8)}, false, {0, 0}};
+}
+
 }  // namespace
+
+std::span<const RegionFamily> contact_families() {
+  static const std::vector<RegionFamily> families = [] {
+    const auto of_regions = region_families();
+    std::vector<RegionFamily> all(of_regions.begin(), of_regions.end());
+    all.push_back({"spiky stars", spiky_stars});
+    all.push_back({"larger integers", larger_integers});
+    return all;
+  }();
+  return families;
+}
 
 ContactScene contact_scene(const RegionFamily& family, Random& random, int translations) {
   const RegionCase c = family.next_case(random);
@@ -200,9 +221,13 @@ ContactScene contact_scene(const RegionFamily& family, Random& random, int trans
   scene.a = placed(random, is_hole ? block_around(c.a.front()) : c.a, unit, offset);
   scene.b = placed(random, b, unit, one_in(random, 2) ? offset : random_offset(random, unit));
   for (int k = 0; k < translations; ++k) {
-    const Place t = finite(random_translation(random, scene.a, scene.b, unit));
+    Place t = finite(random_translation(random, scene.a, scene.b, unit));
+    const Place motion = finite(random_motion(random, scene.a, scene.b, t, unit));
+    if (one_in(random, 2)) {  // t is on the way
+      t = finite(minus(t, times(uniform(random, 1, 8) / 4.0, motion)));
+    }
     scene.translations.push_back(t);
-    scene.motions.push_back(finite(random_motion(random, scene.a, scene.b, t, unit)));
+    scene.motions.push_back(motion);
   }
   return scene;
 }

@@ -5,6 +5,7 @@
 // contact to contact. A seed gives the same scenes everywhere.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "invariants.hpp"
@@ -18,6 +19,9 @@ struct ContactScene {
   std::vector<invariants::Point> translations;
   std::vector<invariants::Point> motions;  // one for each translation
 };
+
+// The families of regions, and some with more vertices.
+std::span<const RegionFamily> contact_families();
 
 // Coordinates may be infinite, and roundings may have made rings that are not simple: scenes that
 // are to be left out.
