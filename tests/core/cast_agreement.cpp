@@ -43,7 +43,8 @@ std::vector<double> doubles_near(const Rational& exact) {
 // NULL for none.
 const reference::Contact* wanted_contact(const gcv_contact& got,
                                          const reference::EnteredContacts& entered) {
-  const auto& [contacts, where_rings_touch] = entered;
+  const std::vector<reference::Contact>& contacts = entered.contacts;
+  const std::vector<reference::Contact>& where_rings_touch = entered.where_rings_touch;
   if (where_rings_touch.empty()) {
     return contacts.empty() ? nullptr : &contacts.front();
   }

@@ -11,6 +11,7 @@
 #include "contact_reference.hpp"
 #include "correct_rounding.hpp"
 #include "motion_reference.hpp"
+#include "region_families.hpp"
 #include "solid_sectors.hpp"
 
 namespace gcv::reference {
@@ -24,6 +25,17 @@ Solid square() { return make_solid({box(0, 0, 2, 2)}); }
 
 // A frame, 1 thick, round a hole of 2 x 2.
 Solid frame() { return make_solid({box(-1, -1, 3, 3), box(0, 0, 2, 2)}); }
+
+Solid solid_of(const test::Rings& rings) {
+  Rings result;
+  for (const test::Ring& ring : rings) {
+    invariants::Polygon& polygon = result.emplace_back();
+    for (const gcv::Point& p : ring) {
+      polygon.push_back({p.x, p.y});
+    }
+  }
+  return make_solid(result);
+}
 
 Exact place(double x, double y) { return invariants::exact(invariants::Point{x, y}); }
 
@@ -191,6 +203,24 @@ TEST(Escape, TakesTheShortestWay) {
   EXPECT_EQ(escape(square(), moved(square(), place(2, 0))), place(0, 0));
   // Into the hole, where it just fits.
   EXPECT_EQ(escape(frame(), moved(square(), place(0.25, 0.5))), place(-0.25, -0.5));
+}
+
+TEST(Escape, IsFreeAndNothingNearerIs) {
+  test::Random random(1);
+  for (int k = 0; k < 20; ++k) {
+    const test::RegionCase c = test::with_holes(random);
+    const Solid a = solid_of(c.a);
+    const Solid b = solid_of(test::negated(c.b));
+    const Exact t = place(test::uniform(random, 0, 32) / 8.0, test::uniform(random, 0, 32) / 8.0);
+    const Exact v = escape(a, moved(b, t));
+    EXPECT_FALSE(overlap(a, moved(b, t + v)));
+    for (int x = -4; x <= 4; ++x) {
+      for (int y = -4; y <= 4; ++y) {
+        const Exact w{v.x * x / 4 + v.y * y / 4, v.y * x / 4 - v.x * y / 4};
+        EXPECT_TRUE(overlap(a, moved(b, t + w)) || dot(w, w) >= dot(v, v));
+      }
+    }
+  }
 }
 
 TEST(Contacts, OfBoxesSideBySide) {
