@@ -9,9 +9,11 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "contact_agreement.hpp"
 #include "contact_scenes.hpp"
@@ -19,7 +21,7 @@
 namespace gcv::test {
 namespace {
 
-int cases = 12;
+int cases = 30;
 std::uint64_t seed = 1;
 
 std::string text_of(const std::vector<invariants::Polygon>& rings) {
@@ -88,6 +90,41 @@ TEST_P(TwoPolygons, MoveUntilTheyOverlap) {
       "position, %zu out of range\n",
       static_cast<unsigned long long>(seed), counts.hits, counts.misses, counts.starts_inside,
       counts.not_free, counts.out_of_range);
+}
+
+template <class Result>
+bool same_bytes(const Result& p, const Result& q) {
+  return std::memcmp(&p, &q, sizeof p) == 0;
+}
+
+TEST(Answers, AreTheSameForOneTranslationAndForManyByThreads) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.threads = 3;
+  constexpr std::size_t count = 400;
+  const RegionFamily family{"exact fits", jigsaws};
+  for_each_scene(family, 3, static_cast<int>(count), [&](const ContactScene& scene, auto& pair) {
+    Messages messages;
+    std::vector<gcv_separation> separations(count);
+    std::vector<gcv_impact> impacts(count);
+    const gcv_status far = gcv_distance(pair.a.get(), pair.b.get(), scene.translations[0].data(),
+                                        count, &options, separations.data());
+    const gcv_status away = gcv_cast(pair.a.get(), pair.b.get(), scene.translations[0].data(),
+                                     scene.motions[0].data(), count, &options, impacts.data());
+    for (std::size_t k = 0; k < count && far == GCV_OK && away == GCV_OK; ++k) {
+      const Point& t = scene.translations[k];
+      gcv_separation separation;
+      gcv_impact impact;
+      invariants::require(
+          gcv_distance(pair.a.get(), pair.b.get(), t.data(), 1, nullptr, &separation), "one");
+      invariants::require(gcv_cast(pair.a.get(), pair.b.get(), t.data(), scene.motions[k].data(), 1,
+                                   nullptr, &impact),
+                          "one");
+      if (!same_bytes(separation, separations[k]) || !same_bytes(impact, impacts[k])) {
+        report(messages, t, scene.motions[k], "another answer alone");
+      }
+    }
+    return messages;
+  });
 }
 
 // a consists of two lenses that meet in (0, 2) and (0, -2). b has a part between them and a part

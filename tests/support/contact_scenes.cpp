@@ -39,7 +39,7 @@ Place random_place(Random& random, double unit) {
 
 // The size of 1 of the family.
 double random_unit(Random& random) {
-  switch (uniform(random, 0, 9)) {
+  switch (uniform(random, 0, 10)) {
     case 0:  // subnormal numbers
       return std::ldexp(1.0, uniform(random, -1074, -1040));
     case 1:  // up to the largest doubles
@@ -48,6 +48,9 @@ double random_unit(Random& random) {
       return one_of(random, std::array{1e150, 1e300, 1e-300, 1.0 / 3});
     case 3:
       return std::ldexp(1.0, uniform(random, -600, 600));
+    case 4:  // with squares near the ends of the range
+      return std::ldexp(
+          1.0, one_in(random, 2) ? uniform(random, 505, 513) : uniform(random, -545, -530));
     default:
       return 1;
   }
