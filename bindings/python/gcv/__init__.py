@@ -8,7 +8,18 @@ faces and regions never change, so any number of threads may share them; the wor
 done outside Python's global lock. They can be pickled, and travel to other processes.
 """
 
+from typing import TYPE_CHECKING
+
 from ._call import LeaveOut, Progress, Rounding
+from ._contacts import (
+    DTYPES,
+    Contact,
+    ContactKind,
+    Impact,
+    Relation,
+    Separation,
+    dtype_of,
+)
 from ._facts import (
     EDGE_CORNER,
     EDGE_TRANSLATED,
@@ -48,22 +59,51 @@ from ._sums import (
     no_fit_polygon_many,
     superset,
 )
+from ._two_polygons import cast, distance, relation
+
+if TYPE_CHECKING:
+    import numpy
+
+    CONTACT_DTYPE: numpy.dtype[numpy.void]
+    """Of an array of contacts; its fields are the members of gcv_contact. It takes numpy."""
+    SEPARATION_DTYPE: numpy.dtype[numpy.void]
+    """Of an array of what distance gives, likewise of gcv_separation."""
+    IMPACT_DTYPE: numpy.dtype[numpy.void]
+    """Of an array of what cast gives, likewise of gcv_impact."""
+else:
+
+    def __getattr__(name: str) -> object:
+        """The dtypes, which are made when they are asked for: only then is numpy needed."""
+        if name not in DTYPES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        try:
+            return dtype_of(DTYPES[name])
+        except ImportError:
+            raise AttributeError(f"{__name__}.{name} takes numpy, which is not here") from None
+
 
 INSIDE, BOUNDARY, OUTSIDE = Location.INSIDE, Location.BOUNDARY, Location.OUTSIDE
+APART, TOUCHING, OVERLAPPING = Relation.APART, Relation.TOUCHING, Relation.OVERLAPPING
 
 __all__ = [
+    "APART",
     "BOUNDARY",
     "EDGE_CORNER",
     "EDGE_TRANSLATED",
     "EDGE_TRANSLATED_CORNER",
     "INSIDE",
     "OUTSIDE",
+    "OVERLAPPING",
     "PART_HOLE",
     "PART_OUTER",
     "PART_POINT",
     "PART_SEGMENT",
+    "TOUCHING",
+    "Contact",
+    "ContactKind",
     "EdgeSource",
     "Error",
+    "Impact",
     "InputError",
     "LeaveOut",
     "Location",
@@ -74,10 +114,14 @@ __all__ = [
     "Region",
     "RegionPart",
     "RegionPolygon",
+    "Relation",
     "Rounding",
+    "Separation",
     "Simplified",
     "Stats",
     "SupersetEdge",
+    "cast",
+    "distance",
     "entrance_block",
     "entrance_region",
     "inner_fit_region",
@@ -90,6 +134,7 @@ __all__ = [
     "no_fit_polygon_many",
     "no_fit_region",
     "no_fit_region_many",
+    "relation",
     "superset",
 ]
 

@@ -8,7 +8,7 @@ import threading
 from collections.abc import Iterable
 from typing import Any, Callable, Literal, Optional, TypeVar, Union
 
-from . import _ffi
+from . import _ffi, _structs
 
 Rounding = Literal["nearest", "outward"]
 LeaveOut = Union[Literal["holes", "fits"], Iterable[Literal["holes", "fits"]]]
@@ -51,7 +51,7 @@ def run(
         latest = (done, estimate)
         return cancelled
 
-    options = _options(rounding, tolerance, threads, leave_out, _ffi.Progress(report))
+    options = _options(rounding, tolerance, threads, leave_out, _structs.Progress(report))
     with ThreadPoolExecutor(1) as pool:
         try:
             future = pool.submit(call, options)
@@ -93,8 +93,8 @@ def _options(
     bits = _bits(leave_out)
     if report is None and (rounding, tolerance, threads, bits) == ("nearest", 0, 1, 0):
         return None
-    options = _ffi.sized(
-        _ffi.Options,
+    options = _structs.sized(
+        _structs.Options,
         rounding=value_of(rounding),
         tolerance=tolerance,
         threads=threads,

@@ -11,12 +11,13 @@ import struct
 import sys
 from array import array
 from collections.abc import Iterable, Mapping, Sequence, Sized
-from itertools import accumulate
+from itertools import accumulate, chain
 from typing import Any, Optional
 
 from ._ffi import INVALID_ARGUMENT, NOT_FINITE, PARSE, InputError, named
 
 _DOUBLE_FORMATS = ("d", ("<" if sys.byteorder == "little" else ">") + "d")
+_NUMBER_FORMATS = (*_DOUBLE_FORMATS, *"fbBhHiIlLqQ")
 _VERTEX_BYTES = 16
 
 Points = list[tuple[float, float]]
@@ -135,27 +136,43 @@ def pair(value: Any, name: str) -> tuple[float, float]:
     return x, y
 
 
-def point_or_points(source: Any, name: str) -> tuple[bytes, bool]:
+def point_or_points(
+    source: Any, name: str, what: str = "a point, nor a sequence of points"
+) -> tuple[bytes, bool]:
     """The doubles of one point or of a sequence of them, and whether it is one.
 
-    Messages call them by that name.
+    Messages call them by that name, and say what else the source is not.
     """
     try:
-        view = _buffer(source)
+        view = _buffer(source, _NUMBER_FORMATS)
     except InputError as error:
         raise named(error, name) from None
     if view is not None and (view.shape or ())[-1:] == (2,) and view.ndim <= 2:
-        return view.tobytes(), view.ndim == 1
+        if view.format in _DOUBLE_FORMATS:
+            return view.tobytes(), view.ndim == 1
+        if view.ndim == 2:
+            rows: Any = view.tolist()
+            return array("d", chain.from_iterable(rows)).tobytes(), False
     try:
         values = tuple(source)
     except TypeError:
-        raise unfit(name, source, "a point, nor a sequence of points") from None
+        raise unfit(name, source, what) from None
     if len(values) == 2 and not any(isinstance(value, Sized) for value in values):
         return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
+    return _doubles_of_pairs(values, name).tobytes(), False
+
+
+def _doubles_of_pairs(values: tuple[Any, ...], name: str) -> array[float]:
+    """The numbers of pairs, taken all at once where none of them is to blame."""
+    try:
+        if set(map(len, values)) <= {2}:
+            return array("d", chain.from_iterable(values))
+    except (TypeError, ValueError, OverflowError):
+        pass
     doubles = array("d")
     for k, value in enumerate(values):
         doubles.extend(pair(value, f"{name}[{k}]"))
-    return doubles.tobytes(), False
+    return doubles
 
 
 def numbers(values: Iterable[Any], count: int, name: str, value: object, what: str) -> array[float]:
@@ -195,8 +212,8 @@ def _invalid(message: str) -> InputError:
     return InputError(INVALID_ARGUMENT, f"polygon: {message}")
 
 
-def _buffer(source: Any) -> Optional[memoryview]:
-    """The buffer of a source that holds doubles; None where there is no such buffer.
+def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional[memoryview]:
+    """The buffer of a source that holds numbers of these formats; None where there is none.
 
     Refuses arrays some elements of which are masked: what lies behind a mask is no data.
     """
@@ -207,7 +224,7 @@ def _buffer(source: Any) -> Optional[memoryview]:
         view = memoryview(source)
     except TypeError:
         return None
-    return view if view.format in _DOUBLE_FORMATS else None
+    return view if view.format in formats else None
 
 
 def _rings_of_geometry(geometry: Any) -> Sequence[Any]:

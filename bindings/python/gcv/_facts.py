@@ -13,7 +13,7 @@ from ctypes import byref, c_char, c_double, c_uint64
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Callable, ClassVar, NamedTuple, Optional
 
-from . import _ffi
+from . import _ffi, _structs
 
 if TYPE_CHECKING:
     import numpy
@@ -143,7 +143,7 @@ def of_indices(function: Any) -> Callable[[Any], Any]:
 
 def of_stats(function: Any) -> Callable[[Any], Stats]:
     def ask(handle: Any) -> Stats:
-        stats = _ffi.sized(_ffi.Stats)
+        stats = _structs.sized(_structs.Stats)
         function(handle, byref(stats))
         return Stats(*(getattr(stats, name) for name in Stats._fields))
 

@@ -1,14 +1,12 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""All of gcv.h: its functions, without their prefix and raising where they fail."""
+"""The functions of gcv.h, without their prefix and raising where they fail."""
 
 from __future__ import annotations
 
 from ctypes import (
-    CFUNCTYPE,
     POINTER,
     Array,
-    Structure,
     byref,
     c_char_p,
     c_double,
@@ -16,13 +14,12 @@ from ctypes import (
     c_int32,
     c_size_t,
     c_uint32,
-    c_uint64,
     c_void_p,
-    sizeof,
 )
 from typing import Any, Callable, ClassVar, NoReturn
 
 from ._loader import load
+from ._structs import Options, Stats
 
 _library = load()
 
@@ -61,6 +58,13 @@ _NEW_IN_0_2 = {
     "gcv_region_polygon",
     "gcv_region_locate",
     "gcv_region_stats",
+    "gcv_relation",
+    "gcv_distance",
+    "gcv_cast",
+    "gcv_penetration",
+    "gcv_contacts",
+    "gcv_contact_list_destroy",
+    "gcv_contact_list_contacts",
 }
 
 
@@ -199,64 +203,12 @@ class Region(_Handle):
     _destroy = _declare("gcv_region_destroy", None, c_void_p)
 
 
+class ContactList(_Handle):
+    _destroy = _declare("gcv_contact_list_destroy", None, c_void_p)
+
+
 class Superset(_Handle):
     _destroy = _declare("gcv_superset_destroy", None, c_void_p)
-
-
-# ---------------------------------------------------------------- structs --
-
-Point = c_double * 2
-Box = c_double * 4
-Matrix = c_double * 6
-Progress = CFUNCTYPE(c_int32, c_void_p, c_uint64, c_uint64)
-
-
-class Options(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("rounding", c_int32),
-        ("tolerance", c_double),
-        ("threads", c_int32),
-        ("progress", Progress),
-        ("progress_context", c_void_p),
-        ("leave_out", c_uint64),
-    )
-
-
-class EdgeSource(Structure):
-    _fields_ = (("kind", c_int32), ("a", c_uint32), ("b", c_uint32))
-
-
-class SupersetEdge(Structure):
-    _fields_ = (
-        ("x0", c_double),
-        ("y0", c_double),
-        ("x1", c_double),
-        ("y1", c_double),
-        ("source", EdgeSource),
-    )
-
-
-class Stats(Structure):
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("walk_steps", c_uint64),
-        ("candidate_edges", c_uint64),
-        ("predicates_filtered", c_uint64),
-        ("predicates_fixed_width", c_uint64),
-        ("predicates_rational", c_uint64),
-        ("vertices_repaired", c_uint64),
-        ("parts_dropped", c_uint64),
-    )
-
-
-class RegionPart(Structure):
-    _fields_ = (("kind", c_int32), ("polygon", c_uint32), ("vertex_count", c_uint64))
-
-
-def sized(struct: Any, **fields: Any) -> Any:
-    """A struct that begins with its own size."""
-    return struct(struct_size=sizeof(struct), **fields)
 
 
 # -------------------------------------------------------------- functions --
@@ -346,6 +298,17 @@ region_fits_wkt = _function("gcv_region_fits_wkt", Region, *_buffer)
 region_polygon = _function("gcv_region_polygon", Region, c_size_t, _polygon)
 region_locate = _function("gcv_region_locate", Region, c_void_p, c_size_t, POINTER(c_int8))
 region_stats = _function("gcv_region_stats", Region, POINTER(Stats))
+
+_translations = (Polygon, Polygon, c_void_p)
+_answers = (c_size_t, _options, c_void_p)
+relation = _function("gcv_relation", *_translations, *_answers)
+distance = _function("gcv_distance", *_translations, *_answers)
+penetration = _function("gcv_penetration", *_translations, *_answers)
+cast = _function("gcv_cast", *_translations, c_void_p, *_answers)
+contacts = _function(
+    *("gcv_contacts", *_translations, c_double, c_double, _options, POINTER(ContactList))
+)
+contact_list_contacts = _function("gcv_contact_list_contacts", ContactList, *_buffer)
 
 superset_create = _function("gcv_superset_create", Polygon, Polygon, POINTER(Superset))
 superset_edges = _function("gcv_superset_edges", Superset, *_buffer)

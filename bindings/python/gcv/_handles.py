@@ -12,7 +12,7 @@ from array import array
 from ctypes import byref, c_int32, c_size_t, c_void_p
 from typing import Any
 
-from . import _ffi
+from . import _ffi, _structs
 from ._coordinates import Rings, rings_of_wkt, size
 
 
@@ -54,12 +54,14 @@ def created_many(rings: list[bytes]) -> list[_ffi.Polygon]:
 
 def mapped(handle: _ffi.Polygon, matrix: array[float]) -> _ffi.Polygon:
     image = _ffi.Polygon()
-    _ffi.polygon_affine(handle, _ffi.Matrix(*matrix), byref(image))
+    _ffi.polygon_affine(handle, _structs.Matrix(*matrix), byref(image))
     return image
 
 
 def normalised_rings(polygon: _ffi.Polygon, count: int) -> list[bytes]:
     """The coordinates of its normalised rings, which are so many."""
     if count == 1:
-        return [bytes(_ffi.elements(_ffi.polygon_vertices, _ffi.Point, polygon))]
-    return [bytes(_ffi.elements(_ffi.polygon_ring, _ffi.Point, polygon, k)) for k in range(count)]
+        return [bytes(_ffi.elements(_ffi.polygon_vertices, _structs.Point, polygon))]
+    return [
+        bytes(_ffi.elements(_ffi.polygon_ring, _structs.Point, polygon, k)) for k in range(count)
+    ]

@@ -107,7 +107,12 @@ def _read(
 
 def vertex_pairs(a: Polygon, b: Polygon) -> int:
     """The number of pairs of a vertex of a and one of b."""
-    return sum(map(size, a._given)) * sum(map(size, b._given))
+    return vertices(a) * vertices(b)
+
+
+def vertices(polygon: Polygon) -> int:
+    """The number of vertices of all rings as passed."""
+    return sum(map(size, polygon._given))
 
 
 def _handles(polygons: list[Polygon]) -> Any:

@@ -12,7 +12,7 @@ from ctypes import c_size_t
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from . import _ffi
+from . import _ffi, _structs
 from ._coordinates import Rings, points
 from ._facts import (
     EdgeSource,
@@ -143,9 +143,9 @@ def _exact(face: _ffi.OuterFace) -> list[str]:
 
 
 OuterFace._questions = {
-    "doubles": of_elements(_ffi.outer_face_vertices, _ffi.Point),
+    "doubles": of_elements(_ffi.outer_face_vertices, _structs.Point),
     "exact": _exact,
-    "sources": of_elements(_ffi.outer_face_edge_sources, _ffi.EdgeSource),
+    "sources": of_elements(_ffi.outer_face_edge_sources, _structs.EdgeSource),
     "exact_indices": of_indices(_ffi.outer_face_exact_indices),
     "error_bound": of_number(_ffi.outer_face_error_bound),
     "area": of_area(_ffi.outer_face_area),

@@ -13,7 +13,7 @@ from collections.abc import Iterable
 from ctypes import byref, c_double
 from typing import TYPE_CHECKING, Any, Callable, Literal, NamedTuple, Optional, Union, overload
 
-from . import _ffi
+from . import _ffi, _structs
 from ._affine import moved, six_numbers
 from ._call import Rounding, value_of
 from ._coordinates import Rings, number, pair, points, rings_of_many, size, split
@@ -161,7 +161,7 @@ class Polygon(Shape):
         """
         handle = _ffi.Polygon()
         _ffi.polygon_create_disc(
-            *(_ffi.Point(*pair(centre, "centre")), number(radius, "radius")),
+            *(_structs.Point(*pair(centre, "centre")), number(radius, "radius")),
             *(number(tolerance, "tolerance"), value_of(rounding), byref(handle)),
         )
         return cls._of(normalised_rings(handle, 1))
@@ -224,7 +224,7 @@ class Polygon(Shape):
     @property
     def bounds(self) -> tuple[float, float, float, float]:
         """The smallest box around the polygon, exact: (xmin, ymin, xmax, ymax)."""
-        box = _ffi.Box()
+        box = _structs.Box()
         _ffi.polygon_bounds(self._handle, box)
         xmin, ymin, xmax, ymax = box
         return xmin, ymin, xmax, ymax

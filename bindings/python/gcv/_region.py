@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, overload
 
-from . import _ffi
+from . import _ffi, _structs
 from ._coordinates import Points, Rings, point_or_points, points, split
 from ._drawing import plot, svg
 from ._facts import (
@@ -363,18 +363,18 @@ class Region(Result):
 
 
 def _exact(region: _ffi.Region) -> list[str]:
-    parts = _ffi.elements(_ffi.region_exact_parts, _ffi.RegionPart, region)
+    parts = _ffi.elements(_ffi.region_exact_parts, _structs.RegionPart, region)
     count = sum(part.vertex_count for part in parts)
     return [text(_ffi.region_exact_vertex, region, index) for index in range(count)]
 
 
 Region._questions = {
-    "parts": of_elements(_ffi.region_parts, _ffi.RegionPart),
-    "doubles": of_elements(_ffi.region_vertices, _ffi.Point),
-    "exact_parts": of_elements(_ffi.region_exact_parts, _ffi.RegionPart),
+    "parts": of_elements(_ffi.region_parts, _structs.RegionPart),
+    "doubles": of_elements(_ffi.region_vertices, _structs.Point),
+    "exact_parts": of_elements(_ffi.region_exact_parts, _structs.RegionPart),
     "exact": _exact,
     "exact_indices": of_indices(_ffi.region_exact_indices),
-    "sources": of_elements(_ffi.region_edge_sources, _ffi.EdgeSource),
+    "sources": of_elements(_ffi.region_edge_sources, _structs.EdgeSource),
     "owners": of_indices(_ffi.region_edge_owners),
     "error_bound": of_number(_ffi.region_error_bound),
     "area": of_area(_ffi.region_area),

@@ -7,7 +7,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Callable, Literal, Optional, Union, overload
 
-from . import _ffi
+from . import _ffi, _structs
 from ._call import LeaveOut, Progress, Rounding, run
 from ._coordinates import pair
 from ._many import each, vertex_pairs
@@ -77,7 +77,7 @@ def no_fit_region(
     options = rounding, tolerance, threads, progress, leave_out
     fixed, moving = as_polygon(fixed, "fixed"), as_polygon(moving, "moving")
     return _region(
-        _ffi.no_fit_region, fixed, moving, [_ffi.Point(*pair(reference, "reference"))], options
+        _ffi.no_fit_region, fixed, moving, [_structs.Point(*pair(reference, "reference"))], options
     )
 
 
@@ -102,7 +102,7 @@ def entrance_region(
     """
     options = rounding, tolerance, threads, progress, leave_out
     a, b = as_polygon(a, "a"), as_polygon(b, "b")
-    return _region(_ffi.entrance_region, a, b, [_ffi.Point(*pair(a0, "a0"))], options)
+    return _region(_ffi.entrance_region, a, b, [_structs.Point(*pair(a0, "a0"))], options)
 
 
 def inner_fit_region(
@@ -137,7 +137,7 @@ def inner_fit_region(
         _ffi.inner_fit_region,
         container,
         moving,
-        [_ffi.Point(*pair(reference, "reference"))],
+        [_structs.Point(*pair(reference, "reference"))],
         options,
     )
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 from ctypes import byref
 from typing import Any, Literal, NamedTuple, Optional, Union, overload
 
-from . import _ffi
+from . import _ffi, _structs
 from ._call import Progress, Rounding, run
 from ._coordinates import pair
 from ._facts import EdgeSource
@@ -103,7 +103,7 @@ def no_fit_polygon(
     finite raises InputError.
     """
     fixed, moving = as_polygon(fixed, "fixed"), as_polygon(moving, "moving")
-    point = _ffi.Point(*pair(reference, "reference"))
+    point = _structs.Point(*pair(reference, "reference"))
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.no_fit_polygon(fixed._handle, moving._handle, point, options, face),
@@ -132,7 +132,7 @@ def entrance_block(
 
     Options, exactness and errors are those of no_fit_polygon.
     """
-    a, b, point = as_polygon(a, "a"), as_polygon(b, "b"), _ffi.Point(*pair(a0, "a0"))
+    a, b, point = as_polygon(a, "a"), as_polygon(b, "b"), _structs.Point(*pair(a0, "a0"))
     face = _ffi.OuterFace()
     run(
         lambda options: _ffi.entrance_block(a._handle, b._handle, point, options, face),
@@ -273,7 +273,7 @@ def superset(a: PolygonLike, b: PolygonLike) -> list[SupersetEdge]:
             (edge.x1, edge.y1),
             EdgeSource(edge.source.kind, edge.source.a, edge.source.b),
         )
-        for edge in _ffi.elements(_ffi.superset_edges, _ffi.SupersetEdge, handle)
+        for edge in _ffi.elements(_ffi.superset_edges, _structs.SupersetEdge, handle)
     ]
 
 

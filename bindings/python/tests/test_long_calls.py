@@ -16,7 +16,7 @@ import pytest
 from shapes import SQUARE, scaled, star
 
 import gcv
-from gcv import _ffi
+from gcv import _structs
 
 LARGE = star(60000, 1)
 OTHER = star(60000, 2)
@@ -62,7 +62,7 @@ def test_keyboard_interrupt_cancels(call: Callable[[], object]) -> None:
 
 def test_interruption_ends_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
     answers: list[int] = []
-    progress = _ffi.Progress
+    progress = _structs.Progress
 
     # Interrupts at the third report, and answers it only when the call is cancelled.
     def interrupting(report: Callable[[object, int, int], int]) -> object:
@@ -78,7 +78,7 @@ def test_interruption_ends_the_work(monkeypatch: pytest.MonkeyPatch) -> None:
 
         return progress(answer)
 
-    monkeypatch.setattr(_ffi, "Progress", interrupting)
+    monkeypatch.setattr(_structs, "Progress", interrupting)
     with pytest.raises(KeyboardInterrupt):
         gcv.minkowski_sum_many(MANY, OTHERS)
     assert answers == [0, 0, 1]

@@ -1,0 +1,169 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""How two polygons lie: the records of it, one by one and in arrays.
+
+An array has a field for each member of the C struct. A record has what Python needs.
+"""
+
+from __future__ import annotations
+
+from ctypes import Array, c_int8
+from enum import IntEnum
+from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional
+
+from . import _structs
+
+if TYPE_CHECKING:
+    import numpy
+
+
+class Relation(IntEnum):
+    """How two polygons lie."""
+
+    APART = 1
+    """They have no point in common."""
+    TOUCHING = 0
+    """Their boundaries meet, their interiors do not."""
+    OVERLAPPING = -1
+    """Their interiors meet."""
+
+
+class ContactKind(IntEnum):
+    """The features of a contact."""
+
+    EDGE_VERTEX = 1
+    """An edge of A and a vertex of B."""
+    VERTEX_EDGE = 2
+    """A vertex of A and an edge of B."""
+    VERTEX_VERTEX = 3
+    """A vertex of A and a vertex of B."""
+
+
+class Contact(NamedTuple):
+    """A feature of A and one of B that touch, or would, and where."""
+
+    kind: ContactKind
+    """Whether a and b are numbers of vertices or of edges."""
+    a: int
+    """Of vertex k of A as passed, or of the edge from vertex k to k+1."""
+    b: int
+    """The same of B."""
+    gap: float
+    """The distance between the features, correctly rounded."""
+    normal: tuple[float, float]
+    """A unit vector, each coordinate within 1 ulp.
+
+    The normal of the edge, towards B. For two vertices the direction from that of A to
+    that of B, or (0, 0) where they coincide.
+    """
+    on_a: tuple[float, float]
+    """The point of the feature of A that is nearest to that of B, correctly rounded."""
+    on_b: tuple[float, float]
+    """The point of the feature of B, where the translation has moved it."""
+
+
+class Separation(NamedTuple):
+    """How far two polygons are from each other."""
+
+    distance: float
+    """The Euclidean distance, correctly rounded; 0 where they touch or overlap."""
+    relation: Relation
+    """Exact, even where the distance underflows to 0."""
+    nearest: Optional[Contact]
+    """Where the distance is taken; None where they touch or overlap.
+
+    Of several, the one with the smallest kind, then a, then b.
+    """
+
+
+class Impact(NamedTuple):
+    """How far a motion leads before the polygons overlap."""
+
+    hit: bool
+    """Whether B would overlap A right after the time."""
+    relation: Relation
+    """How they lie at the position, exactly."""
+    time: float
+    """The largest part of the motion, from 0 to 1, up to which they never overlap.
+
+    Rounded down. It is 1 without a hit.
+    """
+    position: tuple[float, float]
+    """A translation of floats within 2 ulps of the exact one, at which B does not overlap A.
+
+    The nearest one to the exact one where there is no such translation.
+    """
+    contact: Optional[Contact]
+    """What is hit, with gap 0; None without a hit and where they overlap at the start.
+
+    Of several, the one with the smallest kind, then a, then b.
+    """
+
+
+_dtypes: dict[Any, numpy.dtype[Any]] = {}
+
+
+def dtype_of(kind: Any) -> numpy.dtype[Any]:
+    """The dtype of an array of a C type, made once. Raises ImportError without numpy."""
+    import numpy
+
+    if kind not in _dtypes:
+        _dtypes[kind] = numpy.dtype(kind)
+    return _dtypes[kind]
+
+
+DTYPES = {
+    "CONTACT_DTYPE": _structs.Contact,
+    "SEPARATION_DTYPE": _structs.Separation,
+    "IMPACT_DTYPE": _structs.Impact,
+}
+"""The structs by the public names of their dtypes."""
+
+
+def record(values: Array[Any]) -> Any:
+    """The record of the first of C values."""
+    return _RECORDS[values._type_](values[0])
+
+
+def records(values: Array[Any]) -> Any:
+    """An array on the memory of C values; a list of their records without numpy."""
+    try:
+        import numpy
+    except ImportError:
+        return list(map(_RECORDS[values._type_], values))
+    return numpy.frombuffer(memoryview(values), dtype_of(values._type_))
+
+
+def contact(of: _structs.Contact) -> Contact:
+    return Contact(
+        *(ContactKind(of.kind), of.a, of.b, of.gap),
+        *(_point(of.normal), _point(of.on_a), _point(of.on_b)),
+    )
+
+
+def _contact_or_none(of: _structs.Contact) -> Optional[Contact]:
+    return contact(of) if of.kind != 0 else None
+
+
+def _separation(of: _structs.Separation) -> Separation:
+    return Separation(of.distance, Relation(of.relation), _contact_or_none(of.nearest))
+
+
+def _impact(of: _structs.Impact) -> Impact:
+    return Impact(
+        *(of.hit != 0, Relation(of.relation), of.time, _point(of.position)),
+        _contact_or_none(of.contact),
+    )
+
+
+def _point(pair: Any) -> tuple[float, float]:
+    x, y = pair
+    return x, y
+
+
+_RECORDS: dict[Any, Callable[[Any], Any]] = {
+    c_int8: Relation,
+    _structs.Contact: contact,
+    _structs.Separation: _separation,
+    _structs.Impact: _impact,
+}

@@ -1,0 +1,223 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Questions about two polygons, one of which is moved by many translations."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from ctypes import c_int8
+from typing import Any, Callable, Optional, overload
+
+from . import _ffi, _structs
+from ._call import Progress, run
+from ._contacts import Impact, Relation, Separation, record, records
+from ._coordinates import point_or_points, size
+from ._many import vertices
+from ._polygon import as_polygon
+from ._sources import PolygonLike
+
+# In the time of a pair of vertices in a sum, a translation gets past so many vertices.
+_VERTICES_A_PAIR = 16
+
+
+@overload
+def relation(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: tuple[float, float] = ...,
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Relation: ...
+
+
+@overload
+def relation(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Iterable[Any],
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Any: ...
+
+
+def relation(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Any = (0, 0),
+    *,
+    threads: int = 1,
+    progress: Optional[Progress] = None,
+) -> Any:
+    """How A and B moved by a translation lie: apart, touching or overlapping.
+
+    a, b: polygons, or whatever Polygon can be made from, with their holes. A polygon in
+    a hole of the other is apart from it, or touches it.
+
+    translation: (x, y), in input units, for one Relation; or an array or another buffer
+    of shape (n, 2), or a sequence of pairs, for an array of n int8: APART 1, TOUCHING 0,
+    OVERLAPPING -1. Without numpy that is a list of Relation. The moved coordinates are
+    sums of two floats, and are never rounded.
+
+    threads: how many threads share the translations; 0 is as many as the machine runs
+    at once. progress: called as progress(done, estimate), with numbers of translations,
+    as minkowski_sum does. An exception that it raises cancels the computation, and so
+    does a long one in the main thread KeyboardInterrupt.
+
+    Exact. The first question to a polygon prepares it: one that is asked again is best
+    made a Polygon first. Takes version 0.2 of the library.
+
+    Raises as Polygon does, and InputError for a translation that is no pair of numbers
+    or not finite, by its number, and for an option.
+    """
+    return _answer(
+        *(_ffi.relation, c_int8, a, b),
+        {"translation": translation},
+        options=(threads, progress),
+    )
+
+
+@overload
+def distance(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: tuple[float, float] = ...,
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Separation: ...
+
+
+@overload
+def distance(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Iterable[Any],
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Any: ...
+
+
+def distance(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Any = (0, 0),
+    *,
+    threads: int = 1,
+    progress: Optional[Progress] = None,
+) -> Any:
+    """How far B moved by a translation is from A, and where they are nearest.
+
+    One translation gives a Separation. Many give an array of n of dtype SEPARATION_DTYPE,
+    with the fields distance, relation and nearest, which is all 0 where they touch or
+    overlap. Without numpy that is a list of Separation.
+
+    The relation and the features are exact, the distance is correctly rounded, in input
+    units. It can underflow to 0 while the polygons are apart.
+
+    Arguments and errors are those of relation; Error where a result is larger than any
+    finite float.
+    """
+    return _answer(
+        *(_ffi.distance, _structs.Separation, a, b),
+        {"translation": translation},
+        options=(threads, progress),
+    )
+
+
+@overload
+def cast(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: tuple[float, float],
+    motion: tuple[float, float],
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Impact: ...
+
+
+@overload
+def cast(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Iterable[Any],
+    motion: Iterable[Any],
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+) -> Any: ...
+
+
+def cast(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Any,
+    motion: Any,
+    *,
+    threads: int = 1,
+    progress: Optional[Progress] = None,
+) -> Any:
+    """How far B can move along a motion before it overlaps A.
+
+    B moves from the translation to translation + motion. Sliding along a boundary is no
+    hit, and neither is touching at the end of the motion. Where they overlap at the start,
+    that is a hit at time 0 without a contact.
+
+    translation, motion: each is (x, y), or an array of shape (n, 2), or a sequence of
+    pairs, in input units. Two pairs give an Impact. Otherwise there is an array of n of
+    dtype IMPACT_DTYPE, with the fields hit, relation, time, position and contact, which
+    is all 0 where there is none; a pair stands for n of them. Without numpy that is a
+    list of Impact.
+
+    hit, contact and relation are exact. The time is rounded down: B does not overlap A
+    at translation + time * motion, taken exactly.
+
+    The other arguments and the errors are those of distance; ValueError where there are
+    not as many translations as motions.
+    """
+    return _answer(
+        *(_ffi.cast, _structs.Impact, a, b),
+        {"translation": translation, "motion": motion},
+        options=(threads, progress),
+    )
+
+
+def _answer(
+    function: Callable[..., int],
+    kind: Any,
+    a: PolygonLike,
+    b: PolygonLike,
+    vectors: dict[str, Any],
+    options: tuple[Any, ...],
+) -> Any:
+    """What the function gives, of that C type, for the vectors by their names.
+
+    A record where each of the vectors is one; otherwise an array. The options are those of
+    run from threads on.
+    """
+    a, b = as_polygon(a, "a"), as_polygon(b, "b")
+    read = {name: _read(value, name) for name, value in vectors.items()}
+    counts = {name: size(doubles) for name, (doubles, is_one) in read.items() if not is_one}
+    count = next(iter(counts.values()), 1)
+    if len(set(counts.values())) > 1:
+        raise ValueError(" and ".join(f"{name} has {n} pairs" for name, n in counts.items()))
+    arguments = [doubles * count if is_one else doubles for doubles, is_one in read.values()]
+    out = (kind * count)()
+    try:
+        run(
+            lambda known: function(a._handle, b._handle, *arguments, count, known, out),
+            *(count * (vertices(a) + vertices(b)) // _VERTICES_A_PAIR, "nearest", 0, *options),
+        )
+    except _ffi.Error as error:
+        # Here the arguments have other names.
+        reason = re.sub(r"^(translation|motion)s:", r"\1:", str(error))
+        raise type(error)(error.status, reason) from None
+    return records(out) if counts else record(out)
+
+
+def _read(value: Any, name: str) -> tuple[bytes, bool]:
+    return point_or_points(value, name, "a pair of numbers, nor a sequence of pairs")
