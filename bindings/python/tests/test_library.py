@@ -17,7 +17,7 @@ import pytest
 from shapes import BINDING, REPOSITORY
 
 import gcv
-from gcv import _ffi
+from gcv import _ffi, _structs
 
 LIBRARY = os.environ["GCV_LIBRARY"]
 HEADER = REPOSITORY / "capi/include/gcv/gcv.h"
@@ -43,7 +43,8 @@ def test_structs_are_those_of_the_compiler(tmp_path: Path) -> None:
     text = re.sub(r"/\*.*?\*/", "", HEADER.read_text(), flags=re.DOTALL)
     structs = dict(re.findall(r"typedef struct (\w+) \{([^}]*)\}", text))
     lines = []
-    for struct, body in structs.items():
+    for struct, members in structs.items():
+        body = re.sub(r"\[\d+\]", "", members)
         lines.append(f'printf("{struct}. 0 %zu\\n", sizeof({struct}));')
         for names in re.findall(r"\(\*(\w+)\)[^;]*;|(\w+(?:, \w+)*);", body):
             for name in "".join(names).split(", "):
@@ -67,7 +68,7 @@ def test_structs_are_those_of_the_compiler(tmp_path: Path) -> None:
     printed = subprocess.run(tmp_path / "layout", check=True, capture_output=True, text=True)
 
     declared = []
-    for name, kind in vars(_ffi).items():
+    for name, kind in vars(_structs).items():
         if isinstance(kind, type) and issubclass(kind, ctypes.Structure) and name != "Structure":
             struct = "gcv" + re.sub("[A-Z]", lambda letter: f"_{letter[0].lower()}", name)
             declared += [f"{struct}.{m} {offset} {size}" for m, offset, size in layout(kind)]
@@ -76,6 +77,8 @@ def test_structs_are_those_of_the_compiler(tmp_path: Path) -> None:
         **{name: value for value in range(200) if "UNKNOWN" not in (name := status_name(value))},
         **{f"GCV_LEAVE_OUT_{name.upper()}": value for name, value in _ffi.LEAVE_OUTS.items()},
         **{f"GCV_{place.name}": int(place) for place in gcv.Location},
+        **{f"GCV_{relation.name}": int(relation) for relation in gcv.Relation},
+        **{f"GCV_CONTACT_{kind.name}": int(kind) for kind in gcv.ContactKind},
         **{name: getattr(gcv, name[4:]) for name in constants if "GCV_PART_" in name},
         "GCV_EDGE_TRANSLATED": gcv.EDGE_TRANSLATED,
         "GCV_EDGE_CORNER": gcv.EDGE_CORNER,
@@ -151,6 +154,19 @@ assert region.points == [] and region.exact_indices == [0, 1, 2, 3, 4, 5]
 assert region.locate([(2, 3), (1, 3)]) == [gcv.BOUNDARY, gcv.INSIDE]
 assert region.locate((9, 9)) is gcv.OUTSIDE
 assert region.polygon(0).vertices == corners
+square = [(0, 0), (1, 0), (1, 1), (0, 1)]
+moves = [(3, 0), (0, 1), (0.5, 0)]
+assert gcv.relation(square, square, moves) == [gcv.APART, gcv.TOUCHING, gcv.OVERLAPPING]
+assert gcv.relation(square, square, moves)[0] is gcv.APART
+for function in (gcv.distance, lambda a, b, moves: gcv.cast(a, b, moves, (0, -0.5))):
+    answers = function(square, square, moves)
+    assert answers == [function(square, square, move) for move in moves], answers
+    assert function(square, square, []) == []
+assert not hasattr(gcv, "CONTACT_DTYPE")
+try:
+    gcv.IMPACT_DTYPE
+except AttributeError as error:
+    assert str(error) == "gcv.IMPACT_DTYPE takes numpy, which is not here"
 """
     subprocess.run([sys.executable, "-c", program], check=True)
 
@@ -189,6 +205,9 @@ for call, name in [
     (lambda: gcv.minkowski_sum_region(ring, ring), "gcv_minkowski_sum_region"),
     (lambda: gcv.no_fit_region(ring, ring, leave_out="fits"), "gcv_no_fit_region"),
     (lambda: gcv.no_fit_region_many([ring], [ring]), "gcv_no_fit_region_many"),
+    (lambda: gcv.relation(ring, ring), "gcv_relation"),
+    (lambda: gcv.distance(ring, ring, [(0, 0)]), "gcv_distance"),
+    (lambda: gcv.cast(ring, ring, (0, 0), (1, 1)), "gcv_cast"),
 ]:
     try:
         call()

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Callable
 
+import numpy as np
 import pytest
 from shapes import SQUARE, scaled, star
 
@@ -22,6 +23,7 @@ LARGE = star(60000, 1)
 OTHER = star(60000, 2)
 MANY = [LARGE] * 20
 OTHERS = [OTHER] * 20
+MOVES = np.random.default_rng(1).uniform(-2, 2, (1000000, 2))
 CALLS: list[Callable[[], object]] = [
     lambda: LARGE + OTHER,
     lambda: gcv.minkowski_sum(LARGE, OTHER, threads=2),
@@ -36,6 +38,9 @@ CALLS: list[Callable[[], object]] = [
     lambda: gcv.inner_fit_region(LARGE, OTHER),
     lambda: gcv.minkowski_sum_region_many(MANY, OTHERS),
     lambda: gcv.no_fit_region_many(MANY, OTHERS, threads=2),
+    lambda: gcv.relation(LARGE, OTHER, MOVES),
+    lambda: gcv.distance(LARGE, OTHER, MOVES, threads=2),
+    lambda: gcv.cast(LARGE, OTHER, MOVES, (1, 0)),
 ]
 
 
