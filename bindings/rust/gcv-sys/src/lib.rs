@@ -12,8 +12,10 @@ use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
 
 mod region;
+mod two_polygons;
 
 pub use region::*;
+pub use two_polygons::*;
 
 pub type gcv_status = i32;
 

@@ -17,7 +17,8 @@ const HEADER: &str = include_str!("../libgcv/capi/include/gcv/gcv.h");
 const MAP: &str = include_str!("../libgcv/capi/gcv.map");
 const DECLARATIONS: &str = concat!(
     include_str!("../src/lib.rs"),
-    include_str!("../src/region.rs")
+    include_str!("../src/region.rs"),
+    include_str!("../src/two_polygons.rs")
 );
 
 /// Whether the C compiler takes what is added to the header.
@@ -69,6 +70,9 @@ fn layouts() {
     layout!(c, gcv_stats: struct_size walk_steps candidate_edges predicates_filtered
         predicates_fixed_width predicates_rational vertices_repaired parts_dropped);
     layout!(c, gcv_region_part: kind polygon vertex_count);
+    layout!(c, gcv_contact: kind a b reserved id_a id_b gap normal on_a on_b);
+    layout!(c, gcv_separation: distance relation reserved nearest);
+    layout!(c, gcv_impact: hit relation time position contact);
     layout!(c, gcv_superset_edge: x0 y0 x1 y1 source);
     assert!(compiles(&c));
 
@@ -100,7 +104,10 @@ fn enumerators() -> BTreeMap<&'static str, &'static str> {
 #[test]
 fn constants() {
     let declared = declared_constants();
-    assert!(declared.contains_key("GCV_OK") && declared.contains_key("GCV_OUTSIDE"));
+    let from_each_file = ["GCV_OK", "GCV_OUTSIDE", "GCV_OVERLAPPING"];
+    assert!(from_each_file
+        .iter()
+        .all(|name| declared.contains_key(name)));
     assert_eq!(declared, enumerators());
     let asserted = |(name, value)| format!("_Static_assert({name} == {value}, \"\");\n");
     assert!(compiles(

@@ -27,6 +27,9 @@
 #![warn(missing_docs)]
 
 mod call;
+mod cast;
+mod contact;
+mod distance;
 mod error;
 #[cfg(feature = "num-rational")]
 mod exact;
@@ -41,10 +44,15 @@ mod point;
 mod polygon;
 mod region;
 mod regions;
+mod relation;
 mod source;
 mod stats;
 mod sums;
+mod translations;
 
+pub use cast::{cast, cast_into, cast_many, Impact};
+pub use contact::{Contact, ContactKind};
+pub use distance::{distance, distance_into, distance_many, Separation};
 pub use error::{status, Error, ErrorKind};
 pub use location::Location;
 pub use options::{Options, Rounding};
@@ -57,6 +65,7 @@ pub use regions::{
     entrance_region, inner_fit_region, minkowski_sum_region, minkowski_sum_region_many,
     no_fit_region, no_fit_region_many,
 };
+pub use relation::{relation, relation_into, relation_many, Relation};
 pub use source::EdgeSource;
 pub use stats::Stats;
 pub use sums::{

@@ -1,0 +1,149 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+
+//! What holds of every pair of polygons, wherever they are.
+
+use std::f64::consts::TAU;
+
+use gcv::Relation::{self, Apart, Overlapping, Touching};
+use gcv::{cast, distance, no_fit_region, relation, relation_many, Location, Options, Polygon};
+use proptest::prelude::*;
+
+/// Star-shaped polygons about the origin, with radii from 1 to 10, and some with a hole.
+fn polygons() -> impl Strategy<Value = Polygon> {
+    (prop::collection::vec(1.0..10.0, 3..20), any::<bool>()).prop_map(
+        |(radii, hollow): (Vec<f64>, bool)| {
+            let step = TAU / radii.len() as f64;
+            let ring = |scale: f64| -> Vec<_> {
+                let vertex = |(k, radius): (usize, &f64)| {
+                    let (sin, cos) = (step * k as f64).sin_cos();
+                    [scale * radius * cos, scale * radius * sin]
+                };
+                radii.iter().enumerate().map(vertex).collect()
+            };
+            let rings = [ring(1.), ring(0.75)];
+            Polygon::from_rings(&rings[..1 + usize::from(hollow)]).unwrap()
+        },
+    )
+}
+
+/// Polygons whose vertices are small integers: they often touch.
+fn integer_polygons() -> impl Strategy<Value = Polygon> {
+    prop::collection::vec([0..6, 0..6], 3..8).prop_filter_map("no polygon", |ring| {
+        let ring: Vec<_> = ring
+            .into_iter()
+            .map(|vertex| vertex.map(f64::from))
+            .collect();
+        Polygon::new(&ring).ok()
+    })
+}
+
+fn vectors() -> impl Strategy<Value = [f64; 2]> {
+    [-20.0..20.0, -20.0..20.0]
+}
+
+fn integer_vectors() -> impl Strategy<Value = [f64; 2]> {
+    [-8..8, -8..8].prop_map(|vector: [i32; 2]| vector.map(f64::from))
+}
+
+fn relation_of(a: &Polygon, b: &Polygon, translation: [f64; 2]) -> Relation {
+    relation(a, b, translation, &Options::new()).unwrap()
+}
+
+fn check_relations(a: &Polygon, b: &Polygon, mut translations: Vec<[f64; 2]>) {
+    let options = Options::new();
+    let region = no_fit_region(a, b, [0., 0.], &options).unwrap();
+    translations.extend(region.vertices());
+    let relations = relation_many(a, b, &translations, &options).unwrap();
+    let locations = region.locate(&translations).unwrap();
+    for (k, location) in locations.into_iter().enumerate() {
+        let expected = match location {
+            Location::Inside => Overlapping,
+            Location::Boundary => Touching,
+            Location::Outside => Apart,
+        };
+        assert_eq!(relations[k], expected, "{a} {b} {:?}", translations[k]);
+        let exchanged = relation_of(b, a, translations[k].map(|c| -c));
+        assert_eq!(exchanged, expected, "{b} {a} {:?}", translations[k]);
+    }
+}
+
+fn check_distance(a: &Polygon, b: &Polygon, translation: [f64; 2]) {
+    let options = Options::new();
+    let found = distance(a, b, translation, &options).unwrap();
+    assert_eq!(found.relation(), relation_of(a, b, translation));
+    assert_eq!(found.distance() > 0., found.relation() == Apart);
+    let exchanged = distance(b, a, translation.map(|c| -c), &options).unwrap();
+    assert_eq!(exchanged.distance(), found.distance());
+    if let Some(nearest) = found.nearest() {
+        assert_eq!(nearest.gap(), found.distance());
+        let (on_a, on_b, normal) = (nearest.on_a(), nearest.on_b(), nearest.normal());
+        assert!((normal[0].hypot(normal[1]) - 1.).abs() < 1e-15);
+        for axis in 0..2 {
+            let difference = on_b[axis] - on_a[axis];
+            assert!((nearest.gap() * normal[axis] - difference).abs() < 1e-13);
+        }
+    }
+}
+
+fn check_cast(a: &Polygon, b: &Polygon, from: [f64; 2], motion: [f64; 2]) {
+    let found = cast(a, b, from, motion, &Options::new()).unwrap();
+    assert!((0. ..=1.).contains(&found.time()), "{found:?}");
+    assert_eq!(found.relation(), relation_of(a, b, found.position()));
+    for axis in 0..2 {
+        let end = from[axis] + found.time() * motion[axis];
+        assert!((found.position()[axis] - end).abs() < 1e-13, "{found:?}");
+    }
+    if relation_of(a, b, from) == Overlapping {
+        assert!(found.hit() && found.time() == 0. && found.contact().is_none());
+        return;
+    }
+    assert_eq!(found.contact().is_some(), found.hit());
+    if let Some(contact) = found.contact() {
+        let normal = contact.normal();
+        assert!(normal[0] * motion[0] + normal[1] * motion[1] <= 1e-13);
+        assert_eq!(contact.gap(), 0.);
+    } else {
+        assert_eq!(found.time(), 1.);
+    }
+}
+
+proptest! {
+    #[test]
+    fn relations(a in polygons(), b in polygons(), t in prop::collection::vec(vectors(), 20)) {
+        check_relations(&a, &b, t);
+    }
+
+    #[test]
+    fn relations_of_integers(
+        a in integer_polygons(), b in integer_polygons(),
+        t in prop::collection::vec(integer_vectors(), 20)
+    ) {
+        check_relations(&a, &b, t);
+    }
+
+    #[test]
+    fn distances(a in polygons(), b in polygons(), t in vectors()) {
+        check_distance(&a, &b, t);
+    }
+
+    #[test]
+    fn distances_of_integers(
+        a in integer_polygons(), b in integer_polygons(), t in integer_vectors()
+    ) {
+        check_distance(&a, &b, t);
+    }
+
+    #[test]
+    fn casts(a in polygons(), b in polygons(), from in vectors(), motion in vectors()) {
+        check_cast(&a, &b, from, motion);
+    }
+
+    #[test]
+    fn casts_of_integers(
+        a in integer_polygons(), b in integer_polygons(),
+        from in integer_vectors(), motion in integer_vectors()
+    ) {
+        check_cast(&a, &b, from, motion);
+    }
+}
