@@ -1,11 +1,15 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-//! Minkowski sums of two polygons, exactly: outer faces and whole regions.
+//! Minkowski sums of two polygons, exactly: outer faces and whole regions. Questions about two
+//! polygons without a sum: how they lie, how far apart they are, when they meet.
 //!
 //! An [`OuterFace`] is one ring, the boundary of the unbounded face outside of the sum. A
 //! [`Region`] is the whole sum: its outer ring, its holes, and the segments and points where
 //! one polygon fits the other exactly; or where a polygon may go inside a container.
+//!
+//! [`relation`], [`distance`] and [`cast`] take two polygons and a translation of the second
+//! one, or many translations, and build nothing.
 //!
 //! Every coordinate is a finite `f64` and stands for exactly that number; nothing is
 //! rounded but the coordinates that are handed back as `f64`. Polygons, outer faces and regions

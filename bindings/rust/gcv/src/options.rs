@@ -89,14 +89,15 @@ impl<'a> Options<'a> {
     /// see [`Polygon::simplified`](crate::Polygon::simplified), where that saves a quarter of
     /// its vertices, and the exact ring is that of the simplified polygons. With
     /// [`Rounding::Outward`] the result still contains the exact sum. Must be 0 for inner
-    /// fits.
+    /// fits. Questions about two polygons, such as [`relation`](crate::relation), are exact
+    /// whatever it is.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
         self
     }
 
-    /// How many threads work on the sum, the calling one among them; 0 for as many as
+    /// How many threads work on the answer, the calling one among them; 0 for as many as
     /// the machine runs at once. The result is the same for every number.
     #[must_use]
     pub fn threads(mut self, threads: usize) -> Self {

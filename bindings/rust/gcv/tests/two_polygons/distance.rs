@@ -81,14 +81,26 @@ fn one_of_several() {
 #[test]
 fn correctly_rounded() {
     let unit = square(1.);
-    assert_eq!(
-        separation(&unit, &unit, [2., 2.]).distance(),
-        std::f64::consts::SQRT_2
-    );
+    let diagonal = separation(&unit, &unit, [2., 2.]);
+    assert_eq!(diagonal.distance(), std::f64::consts::SQRT_2);
     let triangle = polygon(&[[0., 0.], [3., -1.], [3., 2.]]);
     let nearest = nearest(&triangle, &unit, [0., 2.]);
-    // From (0, 2) to the line y = 2 x / 3.
-    assert_eq!(nearest.gap(), 2. / (13_f64 / 9.).sqrt());
+    // From (1, 2) to the line 3 y = 2 x: 4 / sqrt(13).
+    assert_eq!(nearest.gap(), 1.1094003924504583);
+}
+
+/// Squares of these distances are beyond the range of doubles.
+#[test]
+fn very_large_and_very_small() {
+    for exponent in [-1000, -600, 600, 1000] {
+        let size = 2_f64.powi(exponent);
+        let triangle = polygon(&[[0., 0.], [size, -size], [size, size]]);
+        let square = square(size);
+        let found = separation(&square, &triangle, [4. * size, 5. * size]);
+        let nearest = found.nearest().unwrap();
+        assert_eq!(found.distance(), 5. * size, "2^{exponent}");
+        assert_eq!((nearest.normal(), nearest.on_a()), ([0.6, 0.8], [size; 2]));
+    }
 }
 
 #[test]
@@ -127,6 +139,11 @@ fn too_near_for_doubles() {
     let below = polygon(&[[0., 0.], [0., -1.], [1., -1.]]);
     let found = separation(&above, &below, [tiny, 0.]);
     assert_eq!((found.distance(), found.relation()), (0., Relation::Apart));
+    let kind = EdgeVertex {
+        edge_a: 0,
+        vertex_b: 0,
+    };
+    assert_eq!(found.nearest().unwrap().kind(), kind);
 }
 
 #[test]

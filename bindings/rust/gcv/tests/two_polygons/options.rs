@@ -124,7 +124,7 @@ fn panics_go_on_in_the_caller() {
 fn options_that_are_refused() {
     let (slot, peg) = (slot(), square(2.));
     let options = Options::new().tolerance(-1.);
-    let (refused, message) = (GCV_ERR_INVALID_ARGUMENT, "options.tolerance is -1");
+    let (refused, message) = (GCV_ERR_INVALID_ARGUMENT, "options: tolerance is -1");
     assert_fails(relation(&slot, &peg, [0., 0.], &options), refused, message);
     assert_fails(distance(&slot, &peg, [0., 0.], &options), refused, message);
     let failed = cast(&slot, &peg, [0., 0.], [0., 0.], &options);

@@ -41,13 +41,11 @@ fn squares() {
 #[test]
 fn translations_are_exact() {
     let (unit, tiny) = (square(1.), f64::from_bits(1));
-    let lowered = polygon(&[[1., -tiny], [2., -tiny], [2., 1.]]);
-    let cases = [([0., -1.], Touching), ([-tiny, 1.], Apart)];
-    assert_relations(&unit, &lowered, &cases);
-    let triangle = polygon(&[[0., 0.], [1., 0.], [1., 1.]]);
-    #[rustfmt::skip]
-    let cases = [([1., tiny], Touching), ([1. + f64::EPSILON, tiny], Apart)];
-    assert_relations(&unit, &triangle, &cases);
+    let triangle = |low| polygon(&[[0., low], [1., low], [0., 2.]]);
+    let cases = [([0., 1.], Overlapping), ([0., 1. + f64::EPSILON], Apart)];
+    assert_relations(&unit, &triangle(-tiny), &cases);
+    let cases = [([0., 1.], Apart), ([0., 1. - f64::EPSILON], Overlapping)];
+    assert_relations(&unit, &triangle(tiny), &cases);
 
     let huge = square(1.7e308);
     let cases = [([1.7e308, 1.7e308], Touching), ([1.7e308, 0.], Touching)];
