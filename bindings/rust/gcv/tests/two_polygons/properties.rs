@@ -114,6 +114,18 @@ proptest! {
         check_relations(&a, &b, t);
     }
 
+    /// The second polygon is much larger or smaller than the first, and both may be.
+    #[test]
+    fn at_any_scale(
+        a in integer_polygons(), b in integer_polygons(), t in integer_vectors(),
+        scales in [-400..400, -60..60]
+    ) {
+        let scale = [scales[0], scales[0] + scales[1]].map(|exponent| 2_f64.powi(exponent));
+        let scaled = |polygon: &Polygon, s| polygon.affine([s, 0., 0., 0., s, 0.]).unwrap();
+        let (a, b) = (scaled(&a, scale[0]), scaled(&b, scale[1]));
+        check_relations(&a, &b, vec![t.map(|c| c * scale[0]), t.map(|c| c * scale[1])]);
+    }
+
     #[test]
     fn relations_of_integers(
         a in integer_polygons(), b in integer_polygons(),
