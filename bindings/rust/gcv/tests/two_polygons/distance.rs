@@ -94,7 +94,7 @@ fn correctly_rounded() {
 fn very_large_and_very_small() {
     for exponent in [-1000, -600, 600, 1000] {
         let size = 2_f64.powi(exponent);
-        let triangle = polygon(&[[0., 0.], [size, -size], [size, size]]);
+        let triangle = polygon(&[[0., 0.], [size, 0.], [0., size]]);
         let square = square(size);
         let found = separation(&square, &triangle, [4. * size, 5. * size]);
         let nearest = found.nearest().unwrap();
@@ -199,7 +199,6 @@ fn out_of_range() {
     );
     let translations = [[-1.7e308, 0.], [0., 0.]];
     let options = Options::new();
-    let failed = distance_many(&left, &right, &translations, &options).unwrap_err();
-    assert_eq!(failed.status, GCV_ERR_RANGE);
-    assert!(failed.message.contains("number 1 "), "{failed}");
+    let failed = distance_many(&left, &right, &translations, &options);
+    assert_fails(failed, GCV_ERR_RANGE, "translation 1: ");
 }

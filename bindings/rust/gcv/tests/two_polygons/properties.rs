@@ -108,6 +108,49 @@ fn check_cast(a: &Polygon, b: &Polygon, from: [f64; 2], motion: [f64; 2]) {
     }
 }
 
+/// At fractions of the motion, and right after a hit. All numbers are small integers, so the
+/// fractions of a motion are exact, and an overlap is not very short.
+fn check_cast_of_integers(a: &Polygon, b: &Polygon, from: [f64; 2], motion: [f64; 2]) {
+    check_cast(a, b, from, motion);
+    let found = cast(a, b, from, motion, &Options::new()).unwrap();
+    let at = |time: f64| [from[0] + time * motion[0], from[1] + time * motion[1]];
+    let fractions = (0..=32).map(|k| f64::from(k) / 32.);
+    for time in fractions.filter(|time| found.time() > 0. && *time <= found.time()) {
+        assert_ne!(relation_of(a, b, at(time)), Overlapping, "{found:?}");
+    }
+    if found.hit() && motion != [0., 0.] {
+        let after = at(found.time() + 2_f64.powi(-30));
+        assert_eq!(relation_of(a, b, after), Overlapping, "{found:?}");
+    }
+}
+
+/// Scaled by a power of two, nothing changes but for the scale.
+fn check_scale(a: &Polygon, b: &Polygon, from: [f64; 2], motion: [f64; 2], scale: f64) {
+    let options = Options::new();
+    let polygon = |polygon: &Polygon| polygon.affine([scale, 0., 0., 0., scale, 0.]).unwrap();
+    let vector = |vector: [f64; 2]| vector.map(|c| scale * c);
+    let (large_a, large_b) = (polygon(a), polygon(b));
+    let (large_from, large_motion) = (vector(from), vector(motion));
+
+    let found = cast(&large_a, &large_b, large_from, large_motion, &options).unwrap();
+    let expected = cast(a, b, from, motion, &options).unwrap();
+    assert_eq!(found.time(), expected.time());
+    assert_eq!(found.position(), vector(expected.position()));
+    assert_eq!(
+        (found.hit(), found.relation()),
+        (expected.hit(), expected.relation())
+    );
+    let kinds = [found, expected].map(|found| found.contact().map(|contact| contact.kind()));
+    assert_eq!(kinds[0], kinds[1]);
+
+    let found = distance(&large_a, &large_b, large_from, &options).unwrap();
+    let expected = distance(a, b, from, &options).unwrap();
+    assert_eq!(found.distance(), scale * expected.distance());
+    assert_eq!(found.relation(), expected.relation());
+    let kinds = [found, expected].map(|found| found.nearest().map(|contact| contact.kind()));
+    assert_eq!(kinds[0], kinds[1]);
+}
+
 proptest! {
     #[test]
     fn relations(a in polygons(), b in polygons(), t in prop::collection::vec(vectors(), 20)) {
@@ -156,6 +199,14 @@ proptest! {
         a in integer_polygons(), b in integer_polygons(),
         from in integer_vectors(), motion in integer_vectors()
     ) {
-        check_cast(&a, &b, from, motion);
+        check_cast_of_integers(&a, &b, from, motion);
+    }
+
+    #[test]
+    fn scales(
+        a in integer_polygons(), b in integer_polygons(),
+        from in integer_vectors(), motion in integer_vectors(), exponent in -960..1010
+    ) {
+        check_scale(&a, &b, from, motion, 2_f64.powi(exponent));
     }
 }
