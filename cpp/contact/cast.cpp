@@ -13,8 +13,6 @@ namespace gcv {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 Point negated(const Point& p) { return {-p.x, -p.y}; }
 
 // A contact that the motion enters, and the line of translations at which its features meet. The

@@ -158,7 +158,7 @@ int compare_gap(const Gap& p, double distance, Tally& tally) {
   grid.include(distance);
   return with_integers(square_bits(grid.bits()) + 2, tally, [&]<class Integer>() {
     const Square<Integer> left = square_of<Integer>(grid, p);
-    const Integer right = grid.integer<Integer>(distance);
+    const auto right = grid.integer<Integer>(distance);
     return sign(Integer(left.n - right * right * left.w));
   });
 }

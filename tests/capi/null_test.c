@@ -226,6 +226,28 @@ static void regions(const gcv_region *region) {
   CHECK(part.kind == -1 && source.kind == -1 && polygon == UNTOUCHED_HANDLE);
 }
 
+static void two_polygons(const gcv_polygon *a) {
+  const double xy[2] = {0, 0};
+  int8_t relation = 77;
+  gcv_separation separation = {0};
+  gcv_impact impact = {0};
+  separation.distance = impact.time = UNTOUCHED;
+  REFUSES("a", gcv_relation(NULL, a, xy, 1, NULL, &relation));
+  REFUSES("b", gcv_relation(a, NULL, xy, 1, NULL, &relation));
+  REFUSES("translations", gcv_relation(a, a, NULL, 1, NULL, &relation));
+  REFUSES("out", gcv_relation(a, a, xy, 1, NULL, NULL));
+  REFUSES("a", gcv_distance(NULL, a, xy, 0, NULL, &separation));
+  REFUSES("b", gcv_distance(a, NULL, xy, 1, NULL, &separation));
+  REFUSES("translations", gcv_distance(a, a, NULL, 1, NULL, &separation));
+  REFUSES("out", gcv_distance(a, a, xy, 1, NULL, NULL));
+  REFUSES("a", gcv_cast(NULL, a, xy, xy, 1, NULL, &impact));
+  REFUSES("b", gcv_cast(a, NULL, xy, xy, 0, NULL, &impact));
+  REFUSES("translations", gcv_cast(a, a, NULL, xy, 1, NULL, &impact));
+  REFUSES("motions", gcv_cast(a, a, xy, NULL, 1, NULL, &impact));
+  REFUSES("out", gcv_cast(a, a, xy, xy, 1, NULL, NULL));
+  CHECK(relation == 77 && separation.distance == UNTOUCHED && impact.time == UNTOUCHED);
+}
+
 static void supersets(const gcv_superset *superset) {
   gcv_superset_edge edges[8] = {{0}};
   size_t required = 0;
@@ -261,6 +283,7 @@ int main(void) {
   polygons(square);
   sums(square, square);
   faces(face);
+  two_polygons(square);
   supersets(superset);
   region_sums(square, square);
   regions(region);
