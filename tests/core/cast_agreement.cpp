@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -19,17 +20,15 @@ using invariants::exact;
 using reference::Exact;
 using reference::Rational;
 
-// The doubles at most two units in the last place from the exact number, and the nearest one.
+// The doubles at most two units in the last place from the exact number, which has a nearest one.
 std::vector<double> doubles_near(const Rational& exact) {
-  double x = invariants::nearest(exact);
-  for (int k = 0; k < 3; ++k) {
+  const double largest = std::numeric_limits<double>::max();
+  double x = mpq_get_d(exact.backend().data());  // rounded towards 0
+  for (int k = 0; k < 3 && x > -largest; ++k) {
     x = std::nextafter(x, -HUGE_VAL);
   }
   std::vector<double> near;
-  for (int k = 0; k < 7; ++k, x = std::nextafter(x, HUGE_VAL)) {
-    if (!std::isfinite(x)) {
-      continue;
-    }
+  for (int k = 0; k < 8 && x <= largest; ++k, x = std::nextafter(x, HUGE_VAL)) {
     const double high = std::nextafter(x, HUGE_VAL);
     const double low = std::nextafter(x, -HUGE_VAL);
     if (-invariants::exactly_above(-low) <= exact && exact <= invariants::exactly_above(high)) {
@@ -39,23 +38,26 @@ std::vector<double> doubles_near(const Rational& exact) {
   return near;
 }
 
-// The smallest one; or a smaller one that is at a point where rings touch, as the library chose.
-// NULL for none.
+// The smallest one, NULL for none. Of the names of a contact where rings touch, the one that the
+// library chose, else the largest.
 const reference::Contact* wanted_contact(const gcv_contact& got,
                                          const reference::EnteredContacts& entered) {
-  const std::vector<reference::Contact>& contacts = entered.contacts;
-  const std::vector<reference::Contact>& where_rings_touch = entered.where_rings_touch;
-  if (where_rings_touch.empty()) {
-    return contacts.empty() ? nullptr : &contacts.front();
-  }
-  const auto is_chosen = [&](const reference::Contact& c) {
-    return c.feature == reference::Feature{got.kind, got.a, got.b} &&
-           (contacts.empty() || c.feature < contacts.front().feature);
+  const reference::Contact* smallest = nullptr;
+  const auto take = [&](const reference::Contact& c) {
+    if (smallest == nullptr || c.feature < smallest->feature) {
+      smallest = &c;
+    }
   };
-  const auto chosen = std::find_if(where_rings_touch.begin(), where_rings_touch.end(), is_chosen);
-  return chosen != where_rings_touch.end() ? &*chosen
-         : contacts.empty()                ? &where_rings_touch.front()
-                                           : &contacts.front();
+  if (!entered.contacts.empty()) {
+    take(entered.contacts.front());
+  }
+  for (const std::vector<reference::Contact>& names : entered.where_rings_touch) {
+    const auto chosen = std::find_if(names.begin(), names.end(), [&](const reference::Contact& c) {
+      return c.feature == reference::Feature{got.kind, got.a, got.b};
+    });
+    take(chosen != names.end() ? *chosen : names.back());
+  }
+  return smallest;
 }
 
 std::string impact_difference(const ContactPair& pair, const gcv_impact& got,

@@ -193,7 +193,8 @@ TEST(Cast, EntersSectorsWhereRingsTouch) {
     EXPECT_EQ(hit.time, 0);
     EXPECT_TRUE(hit.entered.contacts.empty());
     ASSERT_FALSE(hit.entered.empty());
-    EXPECT_EQ(hit.entered.where_rings_touch.front().feature, (Feature{vertex_vertex, 1, 2}));
+    EXPECT_EQ(hit.entered.where_rings_touch.front().front().feature,
+              (Feature{vertex_vertex, 1, 2}));
   }
 }
 

@@ -97,27 +97,8 @@ void sort_once(std::vector<Contact>& contacts) {
   contacts.erase(same, contacts.end());
 }
 
-// Adds the contacts of sectors that meet after a motion, but not without one.
-void add_entered(const Solid& a, const std::vector<Sector>& of_a, const Solid& b,
-                 const std::vector<Sector>& of_b, const Exact& d, std::vector<Contact>& contacts) {
-  for (const Sector& s : of_a) {
-    for (const Sector& u : of_b) {
-      if (sectors_meet(s, u, {0, 0}) || !sectors_meet(s, u, d)) {
-        continue;
-      }
-      for (const BoundaryRay& p : {s.first, s.last}) {
-        for (const BoundaryRay& q : {u.first, u.last}) {
-          if (const auto contact = contact_between(a, p, b, q)) {
-            contacts.push_back(*contact);
-          }
-        }
-      }
-    }
-  }
-}
-
-}  // namespace
-
+// The half-planes of edges and the corners at x, of each ring alone. Where rings touch they
+// overlap.
 std::vector<Sector> sectors_of_rings_at(const Solid& solid, const Exact& x) {
   std::vector<Sector> sectors;
   for (std::size_t k = 0; k < solid.edges.size(); ++k) {
@@ -131,6 +112,23 @@ std::vector<Sector> sectors_of_rings_at(const Solid& solid, const Exact& x) {
   }
   return sectors;
 }
+
+// The features of a sector at x: those on its border; where rings touch, all corners there.
+std::vector<BoundaryRay> features(const Solid& solid, const Sector& sector, const Exact& x) {
+  const std::vector<Sector> of_rings = sectors_of_rings_at(solid, x);
+  if (of_rings.size() == 1) {
+    return {sector.first};  // the last ray has the same
+  }
+  std::vector<BoundaryRay> corners;
+  for (const Sector& s : of_rings) {
+    if (!s.first.is_of_edge) {
+      corners.push_back(s.first);
+    }
+  }
+  return corners;
+}
+
+}  // namespace
 
 std::vector<Sector> sectors_at(const Solid& solid, const Exact& x) {
   std::vector<MarkedRay> rays;
@@ -154,6 +152,13 @@ std::vector<Sector> sectors_at(const Solid& solid, const Exact& x) {
   return sectors;
 }
 
+bool meet_after(const Sector& a, const Sector& b, const Exact& d) {
+  if (sectors_meet(a, b, {0, 0})) {
+    throw std::logic_error("sectors that overlap without a motion");
+  }
+  return sectors_meet(a, b, d);
+}
+
 std::vector<Exact> contact_points(const Solid& a, const Solid& b) {
   std::vector<Exact> points;
   const auto take = [&](const Solid& of_corners, const Solid& of_edges) {
@@ -175,17 +180,29 @@ std::vector<Exact> contact_points(const Solid& a, const Solid& b) {
 EnteredContacts entered_contacts(const Solid& a, const Solid& b, const Exact& d) {
   EnteredContacts result;
   for (const Exact& x : contact_points(a, b)) {
-    const std::vector<Sector> of_rings_of_a = sectors_of_rings_at(a, x);
-    const std::vector<Sector> of_rings_of_b = sectors_of_rings_at(b, x);
-    const bool rings_touch = of_rings_of_a.size() > 1 || of_rings_of_b.size() > 1;
-    std::vector<Contact>& contacts = rings_touch ? result.where_rings_touch : result.contacts;
-    add_entered(a, of_rings_of_a, b, of_rings_of_b, d, contacts);
-    if (rings_touch) {
-      add_entered(a, sectors_at(a, x), b, sectors_at(b, x), d, contacts);
+    std::vector<Contact> here;
+    for (const Sector& s : sectors_at(a, x)) {
+      for (const Sector& u : sectors_at(b, x)) {
+        if (!meet_after(s, u, d)) {
+          continue;
+        }
+        for (const BoundaryRay& p : features(a, s, x)) {
+          for (const BoundaryRay& q : features(b, u, x)) {
+            if (const auto contact = contact_between(a, p, b, q)) {
+              here.push_back(*contact);
+            }
+          }
+        }
+      }
+    }
+    sort_once(here);
+    if (sectors_of_rings_at(a, x).size() == 1 && sectors_of_rings_at(b, x).size() == 1) {
+      result.contacts.insert(result.contacts.end(), here.begin(), here.end());
+    } else if (!here.empty()) {
+      result.where_rings_touch.push_back(here);
     }
   }
   sort_once(result.contacts);
-  sort_once(result.where_rings_touch);
   return result;
 }
 

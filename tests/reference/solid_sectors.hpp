@@ -29,20 +29,20 @@ struct Sector {
 // None where x is not on the boundary.
 std::vector<Sector> sectors_at(const Solid& solid, const Exact& x);
 
-// The sectors that each ring would leave alone: the half-planes of edges and the corners. Where
-// rings touch they overlap.
-std::vector<Sector> sectors_of_rings_at(const Solid& solid, const Exact& x);
+// Two sectors at one point, whose interiors do not meet. Do they meet after the second one has
+// moved along d, however little? Throws std::logic_error if they meet before.
+bool meet_after(const Sector& a, const Sector& b, const Exact& d);
 
 // The points that are common to the boundaries of two polygons that do not overlap and are a
 // vertex of one. Each once.
 std::vector<Exact> contact_points(const Solid& a, const Solid& b);
 
 struct EnteredContacts {
-  // The pairs of features whose half-planes and corners meet after a motion and do not meet before.
+  // The pairs of features on the borders of sectors that meet after a motion. By feature.
   std::vector<Contact> contacts;
-  // At points where rings of a polygon touch, these pairs and those on the borders of sectors of
-  // the solids that meet. Which of them is hit is a matter of taste.
-  std::vector<Contact> where_rings_touch;
+  // For each point where rings of a polygon touch and sectors meet: the pairs with the vertices
+  // there in place of the features of that polygon. Any of them names the contact. By feature.
+  std::vector<std::vector<Contact>> where_rings_touch;
 
   [[nodiscard]] bool empty() const { return contacts.empty() && where_rings_touch.empty(); }
 };

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace gcv::test {
@@ -27,8 +28,13 @@ Place plus(const Place& p, const Place& q) { return {p[0] + q[0], p[1] + q[1]}; 
 Place minus(const Place& p, const Place& q) { return {p[0] - q[0], p[1] - q[1]}; }
 Place times(double s, const Place& p) { return {s * p[0], s * p[1]}; }
 
+// At most the largest doubles.
 Place finite(const Place& p) {
-  return {std::isfinite(p[0]) ? p[0] : 0, std::isfinite(p[1]) ? p[1] : 0};
+  static constexpr double largest = std::numeric_limits<double>::max();
+  const auto at_most = [](double x) {
+    return std::isnan(x) ? 0 : std::clamp(x, -largest, largest);
+  };
+  return {at_most(p[0]), at_most(p[1])};
 }
 
 // Between -12 and 12 units.
