@@ -9,7 +9,7 @@
 enum { COUNT = 5 };
 
 /* A square of side 2 left of another one, further and further in. */
-static const double translations[2 * COUNT] = {5, 0, 2, 0, 0x1.fffffffffffffp0, 0, 0, 0, 6, 7};
+static const double translations[2 * COUNT] = {5, 1, 2, 0, 0x1.fffffffffffffp0, 0, 0, 0, 6, 7};
 
 static void relations_and_distances(void) {
   static const int8_t relations[COUNT] = {1, 0, -1, -1, 1};
