@@ -6,10 +6,9 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
+#include <limits>
 
 #include "double_double.hpp"
-#include "double_double_rounding.hpp"
 
 namespace gcv {
 
@@ -76,8 +75,5 @@ inline bool is_in_range(double x) {
   const double size = std::abs(x);
   return size == 0 || (size >= 0x1p-200 && size <= 0x1p200);
 }
-
-// The double nearest to the number, ties to even. Nothing if it is not certain.
-std::optional<RoundedNumber> rounded(const Ball& ball);
 
 }  // namespace gcv

@@ -19,6 +19,11 @@ struct RoundedVertex {
   RoundedNumber y;
 };
 
+struct Ball;
+
+// The double nearest to the number, ties to even. Nothing if it is not certain.
+std::optional<RoundedNumber> rounded(const Ball& ball);
+
 // The doubles nearest to the coordinates of a + b + shift, ties to even. Nothing if they are not
 // certain.
 std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift);
