@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
 #include "cast.hpp"
 #include "distance.hpp"
@@ -125,7 +124,7 @@ void require_finite(const gcv::Contact& contact, std::size_t translation) {
        {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
     if (!std::isfinite(x)) {
       throw Error(Status::range,
-                  "translation %zu: a distance or a point is beyond the largest double",
+                  "translations: number %zu: a distance or a point is beyond the largest double",
                   translation);
     }
   }
@@ -134,8 +133,8 @@ void require_finite(const gcv::Contact& contact, std::size_t translation) {
 // Throws Error: range, where a coordinate of the position is beyond the largest double.
 void require_finite(const Point& position, std::size_t translation) {
   if (!std::isfinite(position.x) || !std::isfinite(position.y)) {
-    throw Error(Status::range, "translation %zu: the position is beyond the largest double",
-                translation);
+    throw Error(Status::range,
+                "translations: number %zu: the position is beyond the largest double", translation);
   }
 }
 

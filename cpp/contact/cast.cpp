@@ -6,7 +6,7 @@
 #include <optional>
 #include <tuple>
 
-#include "box_nodes.hpp"
+#include "pair_descent.hpp"
 #include "solid_cones.hpp"
 
 namespace gcv {
@@ -14,6 +14,7 @@ namespace gcv {
 namespace {
 
 Point negated(const Point& p) { return {-p.x, -p.y}; }
+double size_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
 
 // A contact that the motion enters, and the line of translations at which its features meet. The
 // path crosses it at that time.
@@ -30,50 +31,16 @@ class FirstEntry {
       : placed_(placed),
         motion_(motion),
         direction_{{0, 0}, motion},
-        path_{{placed.translation, {0, 0}}, {0, 0}, motion, motion.x, motion.y},
+        path_{{placed.b.translation, {0, 0}}, {0, 0}, motion, motion.x, motion.y},
         tally_(tally),
-        a_(placed.pair.tree_a.tree),
-        b_(placed.pair.tree_b.tree),
-        offset_(placed.offset()),
-        slack_(placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y) +
-                                              std::abs(motion.x) + std::abs(motion.y))) {
-    descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)});
+        slack_(placed.pair.slack + 0x1p-48 * (size_of(placed.offset()) + size_of(motion))) {
+    PairDescent(placed, *this).run();
   }
 
-  [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
-  [[nodiscard]] const SumEdge& path() const { return path_; }
-
- private:
-  struct Child {
-    double time;
-    std::uint32_t lane;
-  };
-
-  void descend(const BoxedNode& a, const BoxedNode& b) {
-    const bool a_is_edge = a_.is_edge(a.node);
-    const bool b_is_edge = b_.is_edge(b.node);
-    if (a_is_edge && b_is_edge) {
-      meet(a.node.index, b.node.index);
-    } else if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
-      const ChainTree::Block& block = a_.blocks[a_.block_below(a.node)];
-      for_each_child_on_path(block, b.box, motion_, [&](std::uint32_t lane) {
-        descend({ChainTree::child(a.node, lane), block.box(lane)}, b);
-      });
-    } else {
-      // As seen from B, A moves backwards.
-      const ChainTree::Block& block = b_.blocks[b_.block_below(b.node)];
-      for_each_child_on_path(
-          block, moved(a.box, negated(offset_)), negated(motion_), [&](std::uint32_t lane) {
-            descend(a, {ChainTree::child(b.node, lane), moved(block.box(lane), offset_)});
-          });
-    }
-  }
-
-  // The children that a box meets on its way, the first one first. Those that turn out to be met
-  // after a contact is entered are left out.
+  // The children that a box meets on its way, the first one first. Seen from B, A moves backwards.
   template <class Visit>
-  void for_each_child_on_path(const ChainTree::Block& block, const Box& box, const Point& motion,
-                              Visit visit) {
+  bool any_child(const ChainTree::Block& block, const Box& box, bool is_of_a, Visit visit) {
+    const Point motion = is_of_a ? motion_ : negated(motion_);
     // When the box meets a child along one axis: from `first` to `last`.
     const auto times = [&](const double* low, const double* high, double box_low, double box_high,
                            double speed, SimdDouble& first, SimdDouble& last) {
@@ -95,78 +62,69 @@ class FirstEntry {
     double last[ChainTree::width];
     larger(first_x, first_y).store(first);
     smaller(last_x, last_y).store(last);
-    Child children[ChainTree::width];
-    std::uint32_t count = 0;
+    unsigned lanes = 0;
     for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
       const double reach = (1 + 0x1p-48) * last[lane] + 0x1p-48;
-      if (!(first[lane] > reach) && !(last[lane] < -0x1p-48) && !(first[lane] > limit_) &&
-          has_child(block, lane)) {
-        std::uint32_t place = count++;
-        for (; place > 0 && children[place - 1].time > first[lane]; --place) {
-          children[place] = children[place - 1];
-        }
-        children[place] = {first[lane], lane};
-      }
+      const bool is_met = !(first[lane] > reach) && !(last[lane] < -0x1p-48);
+      lanes |= static_cast<unsigned>(is_met) << lane;
     }
-    for (std::uint32_t k = 0; k < count && !(children[k].time > limit_); ++k) {
-      visit(children[k].lane);
-    }
-  }
-
-  // The paths of a vertex of B, and of one of A as seen from B, with the direction of the motion.
-  [[nodiscard]] SumEdge path_of(const SumPoint& vertex) const {
-    return {vertex, {0, 0}, motion_, motion_.x, motion_.y};
+    return any_in_order(lanes & children_of(block), first, limit_, visit);
   }
 
   // The start of each of the edges and the other edge.
-  void meet(Index i, Index j) {
-    const SumPoint p = placed_.vertex_of_a(i);
-    const SumPoint q = placed_.vertex_of_b(j);
+  bool meet(Index i, Index j) {
+    const SumPoint p = placed_.a.vertex(i);
+    const SumPoint q = placed_.b.vertex(j);
     const SumEdge path_of_q = path_of(q);
     const int p_side = side(path_of_q, p, tally_);
     if (p_side == 0) {
       if (enters_vertices(i, j, path_of_q)) {
         add({ContactKind::vertex_vertex, i, j});
       }
-      return;
+      return false;
     }
     // The motion enters an edge from its right to its left.
-    if (p_side > 0 && side(path_of_q, placed_.vertex_of_a(placed_.a.next(i)), tally_) < 0 &&
-        side(placed_.edge_of_a(i), q, tally_) <= 0 && !passes_touch_of_a(i, path_of_q)) {
+    if (p_side > 0 && side(path_of_q, placed_.a.vertex(placed_.a.next(i)), tally_) < 0 &&
+        side(placed_.a.edge(i), q, tally_) <= 0 && !passes_touch(placed_.a, i, path_of_q)) {
       add({ContactKind::edge_vertex, i, j});
     }
     // From p, q lies on the other side of its path than p from that of q.
     const SumEdge path_of_p = path_of(p);
-    if (p_side > 0 && side(path_of_p, placed_.vertex_of_b(placed_.b.next(j)), tally_) > 0 &&
-        side(placed_.edge_of_b(j), p, tally_) <= 0 && !passes_touch_of_b(j, path_of_p)) {
+    if (p_side > 0 && side(path_of_p, placed_.b.vertex(placed_.b.next(j)), tally_) > 0 &&
+        side(placed_.b.edge(j), p, tally_) <= 0 && !passes_touch(placed_.b, j, path_of_p)) {
       add({ContactKind::vertex_edge, i, j});
     }
+    return false;
+  }
+
+  [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
+  [[nodiscard]] const SumEdge& path() const { return path_; }
+
+ private:
+  // The paths of a vertex of B, and of one of A as seen from B, with the direction of the motion.
+  [[nodiscard]] SumEdge path_of(const SumPoint& vertex) const {
+    return {vertex, {0, 0}, motion_, motion_.x, motion_.y};
   }
 
   // The vertices meet on the line of the motion. Is this ahead, and do cones overlap right after?
   bool enters_vertices(Index i, Index j, const SumEdge& path_of_q) {
     const SumEdge across = perpendicular(path_of_q, path_of_q.origin);
-    return side(across, placed_.vertex_of_a(i), tally_) <= 0 &&
-           overlap_once_moved(cones_of_vertex(placed_.a, placed_.pair.touches_a, i, tally_),
-                              cones_of_vertex(placed_.b, placed_.pair.touches_b, j, tally_),
-                              direction_, tally_);
+    return side(across, placed_.a.vertex(i), tally_) <= 0 &&
+           overlap_once_moved(cones_of_vertex(placed_.a, i, tally_),
+                              cones_of_vertex(placed_.b, j, tally_), direction_, tally_);
   }
   // Does the path cross the edge where a ring touches it? Then the vertex there has all cones.
-  bool passes_touch_of_a(Index i, const SumEdge& path) {
-    const std::vector<Index>& touching = placed_.pair.touches_a.on(i);
+  bool passes_touch(const PlacedPolygon& polygon, Index edge, const SumEdge& path) {
+    const std::vector<Index>& touching = polygon.touches.on(edge);
     return std::any_of(touching.begin(), touching.end(),
-                       [&](Index k) { return side(path, placed_.vertex_of_a(k), tally_) == 0; });
-  }
-  bool passes_touch_of_b(Index j, const SumEdge& path) {
-    const std::vector<Index>& touching = placed_.pair.touches_b.on(j);
-    return std::any_of(touching.begin(), touching.end(),
-                       [&](Index k) { return side(path, placed_.vertex_of_b(k), tally_) == 0; });
+                       [&](Index k) { return side(path, polygon.vertex(k), tally_) == 0; });
   }
 
   // The translations at which the features meet; of two vertices, a line through the one that there
   // is, along an axis that the motion is not parallel to.
   [[nodiscard]] SumEdge line_of(const ContactName& name) const {
-    const SumPoint origin{placed_.a.vertices[name.i], negated(placed_.b.vertices[name.j])};
+    const SumPoint origin{placed_.a.boundary.vertices[name.i],
+                          negated(placed_.b.boundary.vertices[name.j])};
     if (name.kind == ContactKind::vertex_vertex) {
       const Point axis = std::abs(motion_.x) >= std::abs(motion_.y) ? Point{0, 1} : Point{1, 0};
       return {origin, {0, 0}, axis, axis.x, axis.y};
@@ -200,9 +158,6 @@ class FirstEntry {
   const Direction direction_;
   const SumEdge path_;  // of the translation
   Tally& tally_;
-  const ChainTree& a_;
-  const ChainTree& b_;
-  const Point offset_;
   const double slack_;
   double limit_ = 1;  // times after this do not matter
   std::optional<Entry> first_;
@@ -225,10 +180,10 @@ Contact contact_on_entry(const PlacedPair& placed, const ContactName& name, cons
   if (name.kind != ContactKind::vertex_vertex) {
     contact.normal = normal_of(placed, name, tally);
   }
-  const SumEdge path{placed.vertex_of_b(name.j), {0, 0}, motion, motion.x, motion.y};
+  const SumEdge path{placed.b.vertex(name.j), {0, 0}, motion, motion.x, motion.y};
   contact.on_a = name.kind == ContactKind::edge_vertex
-                     ? nearest_crossing(placed.edge_of_a(name.i), path, tally)
-                     : placed.a.vertices[name.i];
+                     ? nearest_crossing(placed.a.edge(name.i), path, tally)
+                     : placed.a.boundary.vertices[name.i];
   contact.on_b = contact.on_a;
   return contact;
 }
@@ -237,7 +192,7 @@ Contact contact_on_entry(const PlacedPair& placed, const ContactName& name, cons
 
 Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
   if (relation(placed, tally) == Relation::overlapping) {
-    const auto start = ExactTranslation::of_sum({placed.translation, {0, 0}});
+    const auto start = ExactTranslation::of_sum({placed.b.translation, {0, 0}});
     return {true, 0, usable_position(placed.pair, start, tally), {}};
   }
   if (!(motion == Point{0, 0})) {
@@ -251,7 +206,7 @@ Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
               contact_on_entry(placed, name, motion, tally)};
     }
   }
-  const auto end = ExactTranslation::of_sum({placed.translation, motion});
+  const auto end = ExactTranslation::of_sum({placed.b.translation, motion});
   return {false, 1, usable_position(placed.pair, end, tally), {}};
 }
 

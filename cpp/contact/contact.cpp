@@ -17,8 +17,8 @@ Point outward_normal(const SumEdge& edge, Tally& tally) {
 }
 
 Contact between_vertices(const PlacedPair& placed, const ContactName& name, Tally& tally) {
-  const SumPoint p = placed.vertex_of_a(name.i);
-  const SumPoint q = placed.vertex_of_b(name.j);
+  const SumPoint p = placed.a.vertex(name.i);
+  const SumPoint q = placed.b.vertex(name.j);
   Contact contact;
   contact.gap = nearest_gap(gap_of(placed, name, tally), tally);
   if (!are_equal(p, q, tally)) {
@@ -49,8 +49,8 @@ Contact between_edge_and_vertex(const PlacedPair& placed, const ContactName& nam
 }  // namespace
 
 std::tuple<ContactKind, Index, Index> order_of(const PlacedPair& placed, const ContactName& name) {
-  const Boundary::Corner& a = placed.a.corners[name.i];
-  const Boundary::Corner& b = placed.b.corners[name.j];
+  const Boundary::Corner& a = placed.a.boundary.corners[name.i];
+  const Boundary::Corner& b = placed.b.boundary.corners[name.j];
   return {name.kind, name.kind == ContactKind::edge_vertex ? a.edge_number : a.vertex_number,
           name.kind == ContactKind::vertex_edge ? b.edge_number : b.vertex_number};
 }
@@ -58,8 +58,8 @@ std::tuple<ContactKind, Index, Index> order_of(const PlacedPair& placed, const C
 EdgeAndVertex edge_and_vertex(const PlacedPair& placed, const ContactName& name) {
   assert(name.kind != ContactKind::vertex_vertex);
   return name.kind == ContactKind::edge_vertex
-             ? EdgeAndVertex{placed.edge_of_a(name.i), placed.vertex_of_b(name.j)}
-             : EdgeAndVertex{placed.edge_of_b(name.j), placed.vertex_of_a(name.i)};
+             ? EdgeAndVertex{placed.a.edge(name.i), placed.b.vertex(name.j)}
+             : EdgeAndVertex{placed.b.edge(name.j), placed.a.vertex(name.i)};
 }
 
 Nearest nearest_on(const EdgeAndVertex& pair, Tally& tally) {
@@ -80,7 +80,7 @@ Gap gap_between(const EdgeAndVertex& pair, Nearest nearest) {
 
 Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
   if (name.kind == ContactKind::vertex_vertex) {
-    return {placed.edge_of_a(name.i), placed.vertex_of_b(name.j), false};
+    return {placed.a.edge(name.i), placed.b.vertex(name.j), false};
   }
   const EdgeAndVertex pair = edge_and_vertex(placed, name);
   return gap_between(pair, nearest_on(pair, tally));

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "box_nodes.hpp"
+#include "pair_descent.hpp"
 
 namespace gcv {
 
@@ -19,14 +19,36 @@ class NearestPairs {
  public:
   explicit NearestPairs(const PlacedPair& placed)
       : placed_(placed),
-        a_(placed.pair.tree_a.tree),
-        b_(placed.pair.tree_b.tree),
         offset_(placed.offset()),
-        scale_(
-            scale_for(extent(a_.box) + extent(b_.box) + std::abs(offset_.x) + std::abs(offset_.y))),
+        scale_(scale_for(extent(placed.a.tree.box) + extent(placed.b.tree.box) +
+                         std::abs(offset_.x) + std::abs(offset_.y))),
         slack_(scale_ *
                (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {
-    descend({{0, 0}, a_.box}, {{0, 0}, gcv::moved(b_.box, offset_)});
+    PairDescent(placed, *this).run();
+  }
+
+  // The nearest one first.
+  template <class Visit>
+  bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
+    const SimdDouble none = SimdDouble::of(0);
+    const SimdDouble x = scale_ * larger(none, larger(SimdDouble::load(block.x0) + -box.x1,
+                                                      box.x0 - SimdDouble::load(block.x1)));
+    const SimdDouble y = scale_ * larger(none, larger(SimdDouble::load(block.y0) + -box.y1,
+                                                      box.y0 - SimdDouble::load(block.y1)));
+    double squares[ChainTree::width];
+    (x * x + y * y).store(squares);
+    return any_in_order(children_of(block), squares, limit_, visit);
+  }
+
+  // The start of each of the edges and the other edge.
+  bool meet(Index i, Index j) {
+    const Point p = scaled(placed_.a.boundary.relative(i));
+    const Point p_end = scaled(placed_.a.boundary.relative(placed_.a.next(i)));
+    const Point q = scaled(moved(placed_.b.boundary.relative(j)));
+    const Point q_end = scaled(moved(placed_.b.boundary.relative(placed_.b.next(j))));
+    add({ContactKind::edge_vertex, i, j}, square_of_distance(p, p_end, q));
+    add({ContactKind::vertex_edge, i, j}, square_of_distance(q, q_end, p));
+    return false;
   }
 
   // Calls visit(name) for each of them: the vertex may be nearest to an end of the edge.
@@ -44,68 +66,6 @@ class NearestPairs {
     double square;  // of the distance
     ContactName name;
   };
-  // A node below one that is searched, with the square of its distance from the other node.
-  struct Child {
-    double square;
-    std::uint32_t lane;
-  };
-
-  void descend(const BoxedNode& a, const BoxedNode& b) {
-    const bool a_is_edge = a_.is_edge(a.node);
-    const bool b_is_edge = b_.is_edge(b.node);
-    if (a_is_edge && b_is_edge) {
-      add_pairs(a.node.index, b.node.index);
-    } else if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
-      const ChainTree::Block& block = a_.blocks[a_.block_below(a.node)];
-      for_each_near_child(block, b.box, [&](std::uint32_t lane) {
-        descend({ChainTree::child(a.node, lane), block.box(lane)}, b);
-      });
-    } else {
-      const ChainTree::Block& block = b_.blocks[b_.block_below(b.node)];
-      for_each_near_child(
-          block, gcv::moved(a.box, {-offset_.x, -offset_.y}), [&](std::uint32_t lane) {
-            descend(a, {ChainTree::child(b.node, lane), gcv::moved(block.box(lane), offset_)});
-          });
-    }
-  }
-
-  // The nearest one first. Those that turn out to be too far are left out.
-  template <class Visit>
-  void for_each_near_child(const ChainTree::Block& block, const Box& box, Visit visit) {
-    const SimdDouble none = SimdDouble::of(0);
-    const SimdDouble x = larger(
-        none, larger(SimdDouble::load(block.x0) + -box.x1, box.x0 - SimdDouble::load(block.x1)));
-    const SimdDouble y = larger(
-        none, larger(SimdDouble::load(block.y0) + -box.y1, box.y0 - SimdDouble::load(block.y1)));
-    double squares[ChainTree::width];
-    const SimdDouble scaled_x = scale_ * x;
-    const SimdDouble scaled_y = scale_ * y;
-    (scaled_x * scaled_x + scaled_y * scaled_y).store(squares);
-    Child children[ChainTree::width];
-    std::uint32_t count = 0;
-    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
-      if (!(squares[lane] > limit_) && has_child(block, lane)) {
-        std::uint32_t place = count++;
-        for (; place > 0 && children[place - 1].square > squares[lane]; --place) {
-          children[place] = children[place - 1];
-        }
-        children[place] = {squares[lane], lane};
-      }
-    }
-    for (std::uint32_t k = 0; k < count && !(children[k].square > limit_); ++k) {
-      visit(children[k].lane);
-    }
-  }
-
-  // The start of each of the edges and the other edge.
-  void add_pairs(Index i, Index j) {
-    const Point p = scaled(placed_.a.relative(i));
-    const Point p_end = scaled(placed_.a.relative(placed_.a.next(i)));
-    const Point q = scaled(moved(placed_.b.relative(j)));
-    const Point q_end = scaled(moved(placed_.b.relative(placed_.b.next(j))));
-    add({ContactKind::edge_vertex, i, j}, square_of_distance(p, p_end, q));
-    add({ContactKind::vertex_edge, i, j}, square_of_distance(q, q_end, p));
-  }
   void add(const ContactName& name, double square) {
     if (square > limit_) {
       return;
@@ -143,8 +103,6 @@ class NearestPairs {
   }
 
   const PlacedPair& placed_;
-  const ChainTree& a_;
-  const ChainTree& b_;
   const Point offset_;
   const double scale_;  // of all distances below
   const double slack_;

@@ -1,72 +1,93 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Descends the trees of two placed polygons at once, to the pairs of edges that come near each
-// other.
+// Descends the trees of two placed polygons at once, from pairs of nodes to pairs of edges.
 #pragma once
 
-#include "box_nodes.hpp"
+#include <bit>
+
+#include "polygon_pair.hpp"
 
 namespace gcv {
 
-// Calls visit(i, j) for the pairs of edges whose boxes meet or nearly do: at least those of edges
-// that have a point in common. Stops when it returns true. Returns what the last call returned.
-template <class Visit>
-class NearPairs {
- public:
-  NearPairs(const PlacedPair& placed, Visit visit)
-      : a_(placed.pair.tree_a.tree),
-        b_(placed.pair.tree_b.tree),
-        offset_(placed.offset()),
-        slack_(placed.pair.slack),
-        visit_(visit) {}
+inline Box moved(const Box& box, const Point& offset) {
+  return {box.x0 + offset.x, box.y0 + offset.y, box.x1 + offset.x, box.y1 + offset.y};
+}
+inline double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
-  bool run() {
-    const Box box = widened(moved(b_.box, offset_), slack_);
-    return !are_apart(a_.box, box) && descend({{0, 0}, a_.box}, {{0, 0}, box});
+// The children that there are, as bits. The boxes of missing ones hold no point. But where numbers
+// overflow, no box is apart from another, not even these.
+inline unsigned children_of(const ChainTree::Block& block) {
+  return ~((SimdDouble::load(block.x0) > SimdDouble::load(block.x1)).bits()) & SimdDouble::all;
+}
+
+// Visits these children, the one of the smallest key first, as long as keys are not above the
+// limit, which may fall on the way. Ends when a visit returns true. Returns what the last one
+// returned.
+template <class Visit>
+bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit visit) {
+  std::uint32_t order[ChainTree::width];
+  std::uint32_t count = 0;
+  const unsigned above = (SimdDouble::load(keys) > limit).bits();
+  for_each_lane(lanes & ~above, [&](std::uint32_t lane) {
+    std::uint32_t place = count++;
+    for (; place > 0 && keys[order[place - 1]] > keys[lane]; --place) {
+      order[place] = order[place - 1];
+    }
+    order[place] = lane;
+  });
+  for (std::uint32_t k = 0; k < count && !(keys[order[k]] > limit); ++k) {
+    if (visit(order[k])) {
+      return true;
+    }
   }
+  return false;
+}
+
+// A search says where to go:
+//   any_child(block, box, is_of_a, visit): calls visit(lane) for children of a node that it wants,
+//     beside a node of the other polygon with that box, seen from the first vertex of the polygon
+//     of the block. Returns true as soon as a visit does.
+//   meet(i, j): a pair of edges. Ends the search by returning true.
+template <class Search>
+class PairDescent {
+ public:
+  PairDescent(const PlacedPair& placed, Search& search)
+      : a_(placed.a.tree), b_(placed.b.tree), offset_(placed.offset()), search_(search) {}
+
+  // Did the search end?
+  bool run() { return descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)}); }
 
  private:
-  // The box of `a` is that of its tree, the box of `b` is moved and widened.
-  bool descend(const BoxedNode& a, const BoxedNode& b) {
-    const bool a_is_edge = a_.is_edge(a.node);
-    const bool b_is_edge = b_.is_edge(b.node);
+  // With its box, seen from the first vertex of A.
+  struct Node {
+    ChainTree::Node place;
+    Box box;
+  };
+
+  // The larger node is left for its children.
+  bool descend(const Node& a, const Node& b) {
+    const bool a_is_edge = a_.is_edge(a.place);
+    const bool b_is_edge = b_.is_edge(b.place);
     if (a_is_edge && b_is_edge) {
-      return visit_(a.node.index, b.node.index);
+      return search_.meet(a.place.index, b.place.index);
     }
     if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
-      const ChainTree::Block& block = a_.blocks[a_.block_below(a.node)];
-      for (unsigned lanes = block.overlapping(b.box); lanes != 0; lanes &= lanes - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-        if (has_child(block, lane) &&
-            descend({ChainTree::child(a.node, lane), block.box(lane)}, b)) {
-          return true;
-        }
-      }
-      return false;
+      const ChainTree::Block& block = a_.blocks[a_.block_below(a.place)];
+      return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
+        return descend({ChainTree::child(a.place, lane), block.box(lane)}, b);
+      });
     }
-    const ChainTree::Block& block = b_.blocks[b_.block_below(b.node)];
-    const Box around = widened(moved(a.box, {-offset_.x, -offset_.y}), slack_);
-    for (unsigned lanes = block.overlapping(around); lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      const Box box = widened(moved(block.box(lane), offset_), slack_);
-      if (has_child(block, lane) && descend(a, {ChainTree::child(b.node, lane), box})) {
-        return true;
-      }
-    }
-    return false;
+    const ChainTree::Block& block = b_.blocks[b_.block_below(b.place)];
+    const Box box = moved(a.box, {-offset_.x, -offset_.y});
+    return search_.any_child(block, box, false, [&](std::uint32_t lane) {
+      return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_)});
+    });
   }
 
   const ChainTree& a_;
   const ChainTree& b_;
   const Point offset_;
-  const double slack_;
-  Visit visit_;
+  Search& search_;
 };
-
-// Do pairs of near edges make visit(i, j) return true?
-template <class Visit>
-bool any_near_pair(const PlacedPair& placed, Visit visit) {
-  return NearPairs<Visit>(placed, visit).run();
-}
 
 }  // namespace gcv

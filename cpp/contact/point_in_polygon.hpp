@@ -5,9 +5,10 @@
 
 namespace gcv {
 
-// Does the interior of A hold the first vertex of B, where it is? And that of B the first vertex of
-// A? The vertex must not lie on the boundary. O(log n) and the edges that a horizontal ray crosses.
-bool a_holds_b(const PlacedPair& placed, Tally& tally);
-bool b_holds_a(const PlacedPair& placed, Tally& tally);
+// Does the interior of a polygon hold a point, which does not lie on its boundary? `relative` is
+// the point, seen from the first vertex of the polygon, within `slack`. O(log n) and the edges that
+// a horizontal ray crosses.
+bool holds(const PlacedPolygon& polygon, const SumPoint& point, const Point& relative, double slack,
+           Tally& tally);
 
 }  // namespace gcv

@@ -12,25 +12,37 @@ namespace gcv {
 
 namespace {
 
-// Where the boundaries meet: edge i of A and edge j of B, and what their cones do there.
-class Meeting {
+// Searches for a place where the boundaries meet and the cones there overlap.
+class OverlapSearch {
  public:
-  Meeting(const PlacedPair& placed, Tally& tally) : placed_(placed), tally_(tally) {}
+  OverlapSearch(const PlacedPair& placed, Tally& tally) : placed_(placed), tally_(tally) {}
 
+  // Have the boundaries met so far?
   [[nodiscard]] bool has_touched() const { return has_touched_; }
+
+  template <class Visit>
+  bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
+    unsigned lanes = block.overlapping(widened(box, placed_.pair.slack)) & children_of(block);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      if (visit(static_cast<std::uint32_t>(std::countr_zero(lanes)))) {
+        return true;
+      }
+    }
+    return false;
+  }
 
   // Do the interiors meet beside a point of both edges? At the ends of the edges, their starts are
   // looked at: the edges that begin where they end have the others.
-  bool overlaps(Index i, Index j) {
-    const SumEdge p = placed_.edge_of_a(i);
-    const SumEdge q = placed_.edge_of_b(j);
-    const int q_start = side(p, placed_.vertex_of_b(j), tally_);
-    const int q_end = side(p, placed_.vertex_of_b(placed_.b.next(j)), tally_);
+  bool meet(Index i, Index j) {
+    const SumEdge p = placed_.a.edge(i);
+    const SumEdge q = placed_.b.edge(j);
+    const int q_start = side(p, placed_.b.vertex(j), tally_);
+    const int q_end = side(p, placed_.b.vertex(placed_.b.next(j)), tally_);
     if (q_start * q_end > 0) {
       return false;
     }
-    const int p_start = side(q, placed_.vertex_of_a(i), tally_);
-    const int p_end = side(q, placed_.vertex_of_a(placed_.a.next(i)), tally_);
+    const int p_start = side(q, placed_.a.vertex(i), tally_);
+    const int p_end = side(q, placed_.a.vertex(placed_.a.next(i)), tally_);
     if (p_start * p_end > 0) {
       return false;
     }
@@ -45,18 +57,18 @@ class Meeting {
       return overlap_in_vertices(i, j);
     }
     if (q_start == 0) {
-      return p_end != 0 && overlap_on_edge_of_a(i, j);
+      return p_end != 0 && overlap_on_edge(placed_.a, i, placed_.b, j);
     }
-    return p_start == 0 && q_end != 0 && overlap_on_edge_of_b(i, j);
+    return p_start == 0 && q_end != 0 && overlap_on_edge(placed_.b, j, placed_.a, i);
   }
 
  private:
   // Both edges lie on one line.
   bool overlaps_on_line(Index i, Index j) {
-    const SumPoint p = placed_.vertex_of_a(i);
-    const SumPoint p_end = placed_.vertex_of_a(placed_.a.next(i));
-    const SumPoint q = placed_.vertex_of_b(j);
-    const SumPoint q_end = placed_.vertex_of_b(placed_.b.next(j));
+    const SumPoint p = placed_.a.vertex(i);
+    const SumPoint p_end = placed_.a.vertex(placed_.a.next(i));
+    const SumPoint q = placed_.b.vertex(j);
+    const SumPoint q_end = placed_.b.vertex(placed_.b.next(j));
     // The order of points along the edge of A.
     const bool by_x = p.a.x != p_end.a.x;
     const bool forwards = by_x ? p.a.x < p_end.a.x : p.a.y < p_end.a.y;
@@ -76,41 +88,32 @@ class Meeting {
     if (start_to_start == 0) {
       return overlap_in_vertices(i, j);
     }
-    return (start_to_start > 0 && start_to_end < 0 && overlap_on_edge_of_a(i, j)) ||
-           (start_to_start * end_to_start < 0 && overlap_on_edge_of_b(i, j));
+    return (start_to_start > 0 && start_to_end < 0 &&
+            overlap_on_edge(placed_.a, i, placed_.b, j)) ||
+           (start_to_start * end_to_start < 0 && overlap_on_edge(placed_.b, j, placed_.a, i));
   }
 
   bool overlap_in_vertices(Index i, Index j) {
-    return overlap(cones_of_vertex(placed_.a, placed_.pair.touches_a, i, tally_),
-                   cones_of_vertex(placed_.b, placed_.pair.touches_b, j, tally_), tally_);
+    return overlap(cones_of_vertex(placed_.a, i, tally_), cones_of_vertex(placed_.b, j, tally_),
+                   tally_);
   }
-  // The start of edge j of B lies on the inside of edge i of A. Where a ring touches that edge
+  // A vertex of the other polygon lies on the inside of an edge. Where a ring touches that edge
   // there, its vertex has all cones.
-  bool overlap_on_edge_of_a(Index i, Index j) {
-    const std::vector<Index>& touching = placed_.pair.touches_a.on(i);
-    const SumPoint vertex = placed_.vertex_of_b(j);
-    return std::none_of(
-               touching.begin(), touching.end(),
-               [&](Index k) { return are_equal(placed_.vertex_of_a(k), vertex, tally_); }) &&
-           overlap(cones_of_edge(placed_.a, i),
-                   cones_of_vertex(placed_.b, placed_.pair.touches_b, j, tally_), tally_);
-  }
-  bool overlap_on_edge_of_b(Index i, Index j) {
-    const std::vector<Index>& touching = placed_.pair.touches_b.on(j);
-    const SumPoint vertex = placed_.vertex_of_a(i);
-    return std::none_of(
-               touching.begin(), touching.end(),
-               [&](Index k) { return are_equal(placed_.vertex_of_b(k), vertex, tally_); }) &&
-           overlap(cones_of_vertex(placed_.a, placed_.pair.touches_a, i, tally_),
-                   cones_of_edge(placed_.b, j), tally_);
+  bool overlap_on_edge(const PlacedPolygon& polygon, Index edge, const PlacedPolygon& other,
+                       Index vertex) {
+    const std::vector<Index>& touching = polygon.touches.on(edge);
+    const SumPoint point = other.vertex(vertex);
+    return std::none_of(touching.begin(), touching.end(),
+                        [&](Index k) { return are_equal(polygon.vertex(k), point, tally_); }) &&
+           overlap(cones_of_edge(polygon, edge), cones_of_vertex(other, vertex, tally_), tally_);
   }
   // The edges cross. Do they where rings touch both? Then the vertices there have all cones.
   bool is_sum_of_touches(Index i, Index j) {
-    const std::vector<Index>& on_a = placed_.pair.touches_a.on(i);
-    const std::vector<Index>& on_b = placed_.pair.touches_b.on(j);
+    const std::vector<Index>& on_a = placed_.a.touches.on(i);
+    const std::vector<Index>& on_b = placed_.b.touches.on(j);
     const bool is_sum = std::any_of(on_a.begin(), on_a.end(), [&](Index k) {
       return std::any_of(on_b.begin(), on_b.end(), [&](Index l) {
-        return are_equal(placed_.vertex_of_a(k), placed_.vertex_of_b(l), tally_);
+        return are_equal(placed_.a.vertex(k), placed_.b.vertex(l), tally_);
       });
     });
     has_touched_ = has_touched_ || is_sum;
@@ -125,15 +128,18 @@ class Meeting {
 }  // namespace
 
 Relation relation(const PlacedPair& placed, Tally& tally) {
-  Meeting meeting(placed, tally);
-  if (any_near_pair(placed, [&](Index i, Index j) { return meeting.overlaps(i, j); })) {
+  OverlapSearch search(placed, tally);
+  if (PairDescent(placed, search).run()) {
     return Relation::overlapping;
   }
-  if (meeting.has_touched()) {
+  if (search.has_touched()) {
     return Relation::touching;
   }
-  return a_holds_b(placed, tally) || b_holds_a(placed, tally) ? Relation::overlapping
-                                                              : Relation::apart;
+  const Point offset = placed.offset();
+  const double slack = placed.pair.slack;
+  const bool is_inside = holds(placed.a, placed.b.vertex(0), offset, slack, tally) ||
+                         holds(placed.b, placed.a.vertex(0), {-offset.x, -offset.y}, slack, tally);
+  return is_inside ? Relation::overlapping : Relation::apart;
 }
 
 }  // namespace gcv

@@ -88,20 +88,21 @@ bool any_pair(const SolidCones& a, const SolidCones& b, Test test) {
 
 }  // namespace
 
-Direction direction_of_edge(const Boundary& polygon, Index edge) {
-  return {polygon.vertices[edge], polygon.vertices[polygon.next(edge)]};
+Direction direction_of_edge(const PreparedPolygon& polygon, Index edge) {
+  const Boundary& boundary = polygon.boundary;
+  return {boundary.vertices[edge], boundary.vertices[boundary.next(edge)]};
 }
 
-SolidCones cones_of_edge(const Boundary& polygon, Index edge) {
+SolidCones cones_of_edge(const PreparedPolygon& polygon, Index edge) {
   return {left_of(direction_of_edge(polygon, edge)), {}};
 }
 
-SolidCones cones_of_vertex(const Boundary& polygon, const Touches& touches, Index vertex,
-                           Tally& tally) {
+SolidCones cones_of_vertex(const PreparedPolygon& polygon, Index vertex, Tally& tally) {
   const auto back_along = [&](Index edge) { return direction_of_edge(polygon, edge).reversed(); };
-  const Touch* const touch = touches.at(vertex);
+  const Touch* const touch = polygon.touches.at(vertex);
   if (touch == nullptr) {
-    return {{direction_of_edge(polygon, vertex), back_along(polygon.previous(vertex))}, {}};
+    return {{direction_of_edge(polygon, vertex), back_along(polygon.boundary.previous(vertex))},
+            {}};
   }
   const auto cone_from = [&](Index leaving) {
     DirectionRange cone{direction_of_edge(polygon, leaving), back_along(touch->arriving.front())};

@@ -4,13 +4,9 @@
 // exact. They are told by vectors, not by ranks: nothing is sorted for a pair of polygons.
 #pragma once
 
-#include <algorithm>
-#include <vector>
-
-#include "boundary.hpp"
 #include "point.hpp"
+#include "polygon_pair.hpp"
 #include "tally.hpp"
-#include "touches.hpp"
 
 namespace gcv {
 
@@ -28,23 +24,12 @@ struct DirectionRange {
   Direction to;
 };
 
-// The solid cones in a point of a polygon: one, but where rings touch.
-struct SolidCones {
-  DirectionRange first;
-  std::vector<DirectionRange> others;
+using SolidCones = ConesInPoint<DirectionRange>;
 
-  // Does the test hold for one of them?
-  template <class Test>
-  [[nodiscard]] bool any(Test test) const {
-    return test(first) || std::any_of(others.begin(), others.end(), test);
-  }
-};
-
-Direction direction_of_edge(const Boundary& polygon, Index edge);
+Direction direction_of_edge(const PreparedPolygon& polygon, Index edge);
 // The solid cones in a vertex, and that in a point on the inside of an edge where no ring touches.
-SolidCones cones_of_vertex(const Boundary& polygon, const Touches& touches, Index vertex,
-                           Tally& tally);
-SolidCones cones_of_edge(const Boundary& polygon, Index edge);
+SolidCones cones_of_vertex(const PreparedPolygon& polygon, Index vertex, Tally& tally);
+SolidCones cones_of_edge(const PreparedPolygon& polygon, Index edge);
 
 // Does a cone of A overlap one of B?
 bool overlap(const SolidCones& a, const SolidCones& b, Tally& tally);

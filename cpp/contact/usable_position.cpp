@@ -52,13 +52,17 @@ struct Steps {
   [[nodiscard]] int square() const { return x * x + y * y; }
 };
 
-// All of at most two doubles each way, from the shortest on.
-std::array<Steps, 25> all_steps() {
-  std::array<Steps, 25> all{};
+// All of at most two doubles each way but none at all, from the shortest on.
+using AllSteps = std::array<Steps, 24>;
+
+AllSteps all_steps() {
+  AllSteps all{};
   std::size_t count = 0;
   for (int x = -2; x <= 2; ++x) {
     for (int y = -2; y <= 2; ++y) {
-      all[count++] = {x, y};
+      if (x != 0 || y != 0) {
+        all[count++] = {x, y};
+      }
     }
   }
   std::stable_sort(all.begin(), all.end(),
@@ -85,7 +89,7 @@ UsablePosition usable_position(const PolygonPair& pair, const ExactTranslation& 
   if (there != Relation::overlapping) {
     return {nearest, there};
   }
-  static const std::array<Steps, 25> steps = all_steps();
+  static const AllSteps steps = all_steps();
   const int side_x = compare_x(exact, nearest.x, tally);
   const int side_y = compare_y(exact, nearest.y, tally);
   for (const Steps& step : steps) {

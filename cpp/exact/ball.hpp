@@ -18,7 +18,6 @@ struct Ball {
   double lo;
   double error;
 
-  static Ball of(double x) { return {x, 0, 0}; }
   static Ball of(const DoubleDouble& x) {
     return normal(x.hi, x.lo, x.is_exact ? 0 : 5 * unit_roundoff * unit_roundoff * x.size);
   }

@@ -3,6 +3,7 @@
 // The points in which rings of one polygon touch each other. The solid has several cones there.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -10,6 +11,24 @@
 #include "ring_layout.hpp"
 
 namespace gcv {
+
+// The solid cones in a point of a polygon: one, but where rings touch.
+template <class Cone>
+struct ConesInPoint {
+  Cone first;
+  std::vector<Cone> others;
+
+  // Does the test hold for one of them?
+  template <class Test>
+  [[nodiscard]] bool any(Test test) const {
+    return test(first) || std::any_of(others.begin(), others.end(), test);
+  }
+  template <class Visit>
+  void for_each(Visit visit) const {
+    visit(first);
+    std::for_each(others.begin(), others.end(), visit);
+  }
+};
 
 // A point in which rings touch. It is a vertex of one of them, at least.
 struct Touch {

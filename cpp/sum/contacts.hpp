@@ -27,22 +27,7 @@ struct DirectionArc {
   Rank length;
 };
 
-// The solid cones in a point of a polygon: one, but where rings touch.
-struct ConesOfPoint {
-  DirectionArc first;
-  std::vector<DirectionArc> others;
-
-  // Does the test hold for one of them?
-  template <class Test>
-  [[nodiscard]] bool any(Test test) const {
-    return test(first) || std::any_of(others.begin(), others.end(), test);
-  }
-  template <class Visit>
-  void for_each(Visit visit) const {
-    visit(first);
-    std::for_each(others.begin(), others.end(), visit);
-  }
-};
+using ConesOfPoint = ConesInPoint<DirectionArc>;
 
 // Arcs of directions and what two cones do to each other.
 class Cones {

@@ -77,7 +77,7 @@ static void refusals(void) {
                 gcv_distance(square, square, bad, 2, NULL, separation));
   CHECK_REFUSED(GCV_ERR_NOT_FINITE, "motions: number 1",
                 gcv_cast(square, square, good, bad, 2, NULL, impact));
-  CHECK_REFUSED(GCV_ERR_RANGE, "translation 1",
+  CHECK_REFUSED(GCV_ERR_RANGE, "translations: number 1",
                 gcv_distance(distant, square, far, 2, NULL, separation));
   CHECK(relation[0] == 77 && separation[0].distance == 77 && impact[0].time == 77);
   CHECK_OK(gcv_relation(distant, square, far, 2, NULL, relation));

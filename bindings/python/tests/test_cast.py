@@ -122,7 +122,7 @@ def test_refused(translation: Any, motion: Any, message: str) -> None:
 
 
 def test_beyond_the_largest_float() -> None:
-    with pytest.raises(gcv.Error, match=r"^translation 1: ") as raised:
+    with pytest.raises(gcv.Error, match=r"^translation: number 1: ") as raised:
         gcv.cast(HUGE, HUGE, (1e308, 0), [(7e307, 0), (1.7e308, 0)])
     assert raised.value.status_name == "GCV_ERR_RANGE"
 

@@ -122,7 +122,7 @@ def test_underflow() -> None:
 
 
 def test_beyond_the_largest_float() -> None:
-    with pytest.raises(gcv.Error, match=r"^translation 1: ") as raised:
+    with pytest.raises(gcv.Error, match=r"^translation: number 1: ") as raised:
         gcv.distance(SQUARE, SQUARE, [(0, 0), (1.7e308, 1.7e308)])
     assert raised.value.status_name == "GCV_ERR_RANGE"
     assert gcv.relation(SQUARE, SQUARE, (1.7e308, 1.7e308)) is gcv.APART

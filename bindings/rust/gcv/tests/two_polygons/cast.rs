@@ -174,5 +174,5 @@ fn refused() {
 fn out_of_range() {
     let (unit, options, far) = (square(1.), Options::new(), [1.7e308, 0.]);
     let failed = cast_many(&unit, &unit, &[[3., 0.], far], &[[1., 0.], far], &options);
-    assert_fails(failed, GCV_ERR_RANGE, "translation 1: ");
+    assert_fails(failed, GCV_ERR_RANGE, "translations: number 1: ");
 }

@@ -200,5 +200,5 @@ fn out_of_range() {
     let translations = [[-1.7e308, 0.], [0., 0.]];
     let options = Options::new();
     let failed = distance_many(&left, &right, &translations, &options);
-    assert_fails(failed, GCV_ERR_RANGE, "translation 1: ");
+    assert_fails(failed, GCV_ERR_RANGE, "translations: number 1: ");
 }
