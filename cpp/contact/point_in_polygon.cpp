@@ -1,47 +1,87 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "point_in_polygon.hpp"
 
+#include <algorithm>
+
 #include "pair_descent.hpp"
 
 namespace gcv {
 
 namespace {
 
-// Calls visit(edge) for the edges whose boxes the ray from p to the right may meet.
-template <class Visit>
-void for_each_edge_on_ray(const ChainTree& tree, const ChainTree::Node& node, const Box& ray,
-                          const Visit& visit) {
-  if (tree.is_edge(node)) {
-    visit(node.index);
-    return;
+// Follows the ray from a point to the right. An edge with one end above the ray, and one on or
+// below it, crosses the line of the ray.
+class Ray {
+ public:
+  Ray(const PlacedPolygon& polygon, const SumPoint& point, const Point& relative, double slack,
+      Tally& tally)
+      : polygon_(polygon),
+        point_(point),
+        box_{relative.x - slack, relative.y - slack, std::numeric_limits<double>::infinity(),
+             relative.y + slack},
+        right_(relative.x + slack),
+        tally_(tally) {}
+
+  // Does the ray cross the edges of the polygon an odd number of times?
+  bool crosses_oddly() {
+    const ChainTree& tree = polygon_.tree;
+    return !are_apart(tree.box, box_) && crosses_oddly({0, 0}, tree.box);
   }
-  const ChainTree::Block& block = tree.blocks[tree.block_below(node)];
-  for_each_lane(block.overlapping(ray) & children_of(block), [&](std::uint32_t lane) {
-    for_each_edge_on_ray(tree, ChainTree::child(node, lane), ray, visit);
-  });
-}
+
+ private:
+  // The same for the edges below a node. If all of a chain is to the right of the point, its ends
+  // tell.
+  bool crosses_oddly(const ChainTree::Node& node, const Box& box) {
+    const ChainTree& tree = polygon_.tree;
+    const bool is_edge = tree.is_edge(node);
+    const bool is_right = box.x0 > right_;
+    if (is_edge || is_right) {
+      const Index first = tree.first_edge(node);
+      const Index last = is_edge ? first : last_edge(node);
+      if (is_edge || is_on_one_ring(first, last)) {
+        const bool starts_above = is_above(first);
+        return starts_above != is_above(polygon_.next(last)) &&
+               (is_right || side(polygon_.edge(first), point_, tally_) == (starts_above ? -1 : 1));
+      }
+    }
+    const ChainTree::Block& block = tree.blocks[tree.block_below(node)];
+    bool is_odd = false;
+    for_each_lane(block.overlapping(box_) & children_of(block), [&](std::uint32_t lane) {
+      is_odd = is_odd != crosses_oddly(ChainTree::child(node, lane), block.box(lane));
+    });
+    return is_odd;
+  }
+
+  // The last edge below a node.
+  [[nodiscard]] Index last_edge(const ChainTree::Node& node) const {
+    const ChainTree::Node next{node.depth, node.index + 1};
+    const Index end = polygon_.boundary.size();
+    // The node may be the last one, and the one behind it beyond the range of numbers.
+    const Index first = polygon_.tree.first_edge(node);
+    const Index behind = polygon_.tree.first_edge(next);
+    return (behind > first ? std::min(behind, end) : end) - 1;
+  }
+  [[nodiscard]] bool is_on_one_ring(Index first, Index last) const {
+    const RingLayout& layout = polygon_.boundary.layout;
+    return layout.ring_of(first) == layout.ring_of(last);
+  }
+  bool is_above(Index i) {
+    const SumPoint vertex = polygon_.vertex(i);
+    return compare_sums(vertex.a.y, vertex.b.y, point_.a.y, point_.b.y, tally_) > 0;
+  }
+
+  const PlacedPolygon& polygon_;
+  const SumPoint& point_;
+  const Box box_;
+  const double right_;  // what is further right is so exactly
+  Tally& tally_;
+};
 
 }  // namespace
 
 bool holds(const PlacedPolygon& polygon, const SumPoint& point, const Point& relative, double slack,
            Tally& tally) {
-  const Box ray{relative.x - slack, relative.y - slack, std::numeric_limits<double>::infinity(),
-                relative.y + slack};
-  if (are_apart(polygon.tree.box, ray)) {
-    return false;
-  }
-  bool is_inside = false;
-  const auto is_above = [&](Index i) {
-    const SumPoint vertex = polygon.vertex(i);
-    return compare_sums(vertex.a.y, vertex.b.y, point.a.y, point.b.y, tally) > 0;
-  };
-  for_each_edge_on_ray(polygon.tree, {0, 0}, ray, [&](Index i) {
-    const bool starts_above = is_above(i);
-    if (starts_above != is_above(polygon.next(i))) {
-      is_inside = is_inside != (side(polygon.edge(i), point, tally) == (starts_above ? -1 : 1));
-    }
-  });
-  return is_inside;
+  return Ray(polygon, point, relative, slack, tally).crosses_oddly();
 }
 
 }  // namespace gcv
