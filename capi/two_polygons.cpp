@@ -53,23 +53,35 @@ class Vectors {
   const double* xy_;
 };
 
-// Writes answer(k, tally) to out[k] for each k below `count`, once all are known.
+// How many steps of progress a translation counts for. Hard questions take a time that grows with
+// the number of vertices.
+std::uint64_t steps_of(const PolygonPair& pair) {
+  constexpr std::uint64_t vertices_a_step = 32;
+  return 1 + (std::uint64_t{pair.a.boundary.size()} + pair.b.boundary.size()) / vertices_a_step;
+}
+
+// Writes answer(k, tally) to out[k] for each k below `count`, once all are known. Each one counts
+// for that many steps.
 template <class Answer, class Result>
-void give_all(std::size_t count, const gcv_options& options, Result* out, Answer answer) {
-  constexpr std::size_t block = 128;
+void give_all(std::size_t count, std::uint64_t steps, const gcv_options& options, Result* out,
+              Answer answer) {
+  constexpr std::uint64_t most = 128;  // at a time
+  const auto block =
+      static_cast<std::size_t>(std::clamp<std::uint64_t>(Task::portion / steps, 1, most));
   constexpr std::size_t few = 8;  // that need no memory of their own
   Task task(threads_of(options), options.progress, options.progress_context);
-  task.begin(count);
+  task.begin(count * steps);
   boost::container::small_vector<Result, few> results(count);
   gcv::for_each_in_parallel((count + block - 1) / block, task.threads(),
                             [&](std::size_t number) {
+                              task.advance(0);  // other threads go on after one that was cancelled
                               Tally tally;
                               const std::size_t first = number * block;
                               const std::size_t end = std::min(count, first + block);
                               for (std::size_t k = first; k < end; ++k) {
                                 results[k] = answer(k, tally);
                               }
-                              task.advance(end - first);
+                              task.advance((end - first) * steps);
                             },
                             [&] { task.watch(); });
   task.finish();
@@ -99,7 +111,7 @@ void give_answers(const Question& question, Result* out, Answer answer) {
   require(out, "out");
   const Vectors translations(question.translations, question.count, "translations");
   const PolygonPair pair(*question.a->polygon, *question.b->polygon);
-  give_all(question.count, options, out, [&](std::size_t k, Tally& tally) {
+  give_all(question.count, steps_of(pair), options, out, [&](std::size_t k, Tally& tally) {
     return answer(PlacedPair(pair, translations[k]), k, tally);
   });
 }

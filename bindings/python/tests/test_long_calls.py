@@ -23,7 +23,7 @@ LARGE = star(60000, 1)
 OTHER = star(60000, 2)
 MANY = [LARGE] * 20
 OTHERS = [OTHER] * 20
-MOVES = np.random.default_rng(1).uniform(-2, 2, (1000000, 2))
+MOVES = np.random.default_rng(1).uniform(-2, 2, (100000, 2))
 CALLS: list[Callable[[], object]] = [
     lambda: LARGE + OTHER,
     lambda: gcv.minkowski_sum(LARGE, OTHER, threads=2),
