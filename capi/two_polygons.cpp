@@ -53,24 +53,23 @@ class Vectors {
   const double* xy_;
 };
 
-// How many steps of progress a translation counts for. Hard questions take a time that grows with
-// the number of vertices.
-std::uint64_t steps_of(const PolygonPair& pair) {
-  constexpr std::uint64_t vertices_a_step = 32;
-  return 1 + (std::uint64_t{pair.a.boundary.size()} + pair.b.boundary.size()) / vertices_a_step;
+// After how many translations progress is reported. Hard questions take a time that grows with the
+// number of vertices.
+std::uint64_t translations_a_report(const PolygonPair& pair) {
+  constexpr std::uint64_t most_vertices = std::uint64_t{1} << 16;  // of all translations
+  const std::uint64_t vertices = std::uint64_t{pair.a.boundary.size()} + pair.b.boundary.size();
+  return std::clamp<std::uint64_t>(most_vertices / vertices, 1, Task::portion);
 }
 
-// Writes answer(k, tally) to out[k] for each k below `count`, once all are known. Each one counts
-// for that many steps.
+// Writes answer(k, tally) to out[k] for each k below `count`, once all are known.
 template <class Answer, class Result>
-void give_all(std::size_t count, std::uint64_t steps, const gcv_options& options, Result* out,
+void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
               Answer answer) {
   constexpr std::uint64_t most = 128;  // at a time
-  const auto block =
-      static_cast<std::size_t>(std::clamp<std::uint64_t>(Task::portion / steps, 1, most));
+  const auto block = static_cast<std::size_t>(std::min(a_report, most));
   constexpr std::size_t few = 8;  // that need no memory of their own
-  Task task(threads_of(options), options.progress, options.progress_context);
-  task.begin(count * steps);
+  Task task(threads_of(options), options.progress, options.progress_context, a_report);
+  task.begin(count);
   boost::container::small_vector<Result, few> results(count);
   gcv::for_each_in_parallel((count + block - 1) / block, task.threads(),
                             [&](std::size_t number) {
@@ -81,7 +80,7 @@ void give_all(std::size_t count, std::uint64_t steps, const gcv_options& options
                               for (std::size_t k = first; k < end; ++k) {
                                 results[k] = answer(k, tally);
                               }
-                              task.advance((end - first) * steps);
+                              task.advance(end - first);
                             },
                             [&] { task.watch(); });
   task.finish();
@@ -111,9 +110,10 @@ void give_answers(const Question& question, Result* out, Answer answer) {
   require(out, "out");
   const Vectors translations(question.translations, question.count, "translations");
   const PolygonPair pair(*question.a->polygon, *question.b->polygon);
-  give_all(question.count, steps_of(pair), options, out, [&](std::size_t k, Tally& tally) {
-    return answer(PlacedPair(pair, translations[k]), k, tally);
-  });
+  give_all(question.count, translations_a_report(pair), options, out,
+           [&](std::size_t k, Tally& tally) {
+             return answer(PlacedPair(pair, translations[k]), k, tally);
+           });
 }
 
 gcv_contact public_contact(const gcv::Contact& contact) {

@@ -23,7 +23,7 @@ void Task::advance(std::uint64_t steps) {
 }
 
 void Task::watch() {
-  if (done_ - reported_ >= portion) {
+  if (done_ - reported_ >= steps_a_report_) {
     tell(estimate_);
   }
 }

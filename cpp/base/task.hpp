@@ -21,9 +21,10 @@ class Task {
 
   // A task on one thread that reports nothing.
   Task() = default;
-  // `report` may be null. Only the thread that makes this object calls it.
-  Task(unsigned threads, Report report, void* context)
-      : threads_(threads), report_(report), context_(context) {}
+  // `report` may be null. Only the thread that makes this object calls it, when at least so many
+  // steps are done since the last time.
+  Task(unsigned threads, Report report, void* context, std::uint64_t steps_a_report = portion)
+      : threads_(threads), report_(report), context_(context), steps_a_report_(steps_a_report) {}
 
   [[nodiscard]] unsigned threads() const { return threads_; }
 
@@ -47,6 +48,7 @@ class Task {
   unsigned threads_ = 1;
   Report report_ = nullptr;
   void* context_ = nullptr;
+  std::uint64_t steps_a_report_ = portion;
   std::uint64_t estimate_ = 0;
   std::uint64_t reported_ = 0;
   std::thread::id caller_ = std::this_thread::get_id();

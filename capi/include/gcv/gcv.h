@@ -1177,10 +1177,10 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_
  *
  * Each function takes `count` translations at once: x0 y0 x1 y1 ..., finite; with count 0 nothing
  * is read or written. All or nothing: on failure no result is written. Messages name the number of
- * the translation. options.threads share the translations, options.progress counts as many
- * steps for each of them, other options change nothing. Nothing is built for a pair: the first
- * question to a polygon prepares it, later ones find that done. Where rings of one polygon touch,
- * contacts are named by a vertex there.
+ * the translation. options.threads share the translations, options.progress counts them, other
+ * options change nothing. Nothing is built for a pair: the first question to a polygon prepares it,
+ * later ones find that done. Where rings of one polygon touch, contacts are named by a vertex
+ * there.
  */
 
 /** How two polygons lie. @since 0.2 */
