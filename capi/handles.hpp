@@ -65,6 +65,12 @@ struct gcv_superset {
   std::vector<gcv_superset_edge> edges;
 };
 
+struct gcv_contact_list {
+  explicit gcv_contact_list(std::vector<gcv_contact> found) : contacts(std::move(found)) {}
+
+  const std::vector<gcv_contact> contacts;
+};
+
 namespace gcv::capi {
 
 inline gcv_edge_source public_source(const EdgeSource& source) {

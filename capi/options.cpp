@@ -91,12 +91,16 @@ gcv_options read_options(const gcv_options* options) {
   return known;
 }
 
+void refuse_tolerance(const gcv_options& options, const char* what) {
+  if (options.tolerance > 0) {
+    throw Error(Status::invalid_argument, "options: tolerance is %g; %s are exact, 0",
+                options.tolerance, what);
+  }
+}
+
 gcv_options read_inner_fit_options(const gcv_options* options) {
   const gcv_options known = read_options(options);
-  if (known.tolerance > 0) {
-    throw Error(Status::invalid_argument, "options: tolerance is %g; inner fits are exact, 0",
-                known.tolerance);
-  }
+  refuse_tolerance(known, "inner fits");
   if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {
     throw Error(Status::invalid_argument,
                 "options: leave_out has GCV_LEAVE_OUT_HOLES; inner fits have all of their holes");
@@ -111,6 +115,11 @@ SumOptions sum_options(const gcv_options& options) {
 RegionOptions region_options(const gcv_options& options) {
   return {sum_options(options), has(options.leave_out, GCV_LEAVE_OUT_HOLES),
           has(options.leave_out, GCV_LEAVE_OUT_FITS)};
+}
+
+WantedParts wanted_parts(const gcv_options& options) {
+  return {!has(options.leave_out, GCV_LEAVE_OUT_HOLES),
+          !has(options.leave_out, GCV_LEAVE_OUT_FITS)};
 }
 
 unsigned threads_of(const gcv_options& options) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "exact_region.hpp"
 #include "gcv/gcv.h"
 #include "minkowski_region.hpp"
 #include "minkowski_sum.hpp"
@@ -18,11 +19,14 @@ void check_tolerance(double tolerance, const char* where);
 
 // The options that this version knows. Takes a struct of any version, or NULL for the defaults.
 gcv_options read_options(const gcv_options* options);
+// Throws Error: invalid_argument for a tolerance. `what` is exact.
+void refuse_tolerance(const gcv_options& options, const char* what);
 // Refuses what inner fits do not take.
 gcv_options read_inner_fit_options(const gcv_options* options);
 
 SumOptions sum_options(const gcv_options& options);
 RegionOptions region_options(const gcv_options& options);
+WantedParts wanted_parts(const gcv_options& options);
 
 // The number of threads that the options ask for.
 unsigned threads_of(const gcv_options& options);

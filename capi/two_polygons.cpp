@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Questions about two polygons: gcv_relation, gcv_distance, gcv_cast.
+// Questions about two polygons: gcv_relation, gcv_distance, gcv_cast, gcv_penetration.
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "cast.hpp"
+#include "contacts.hpp"
 #include "distance.hpp"
 #include "error.hpp"
 #include "gcv/gcv.h"
@@ -15,6 +17,7 @@
 #include "handles.hpp"
 #include "options.hpp"
 #include "parallel.hpp"
+#include "penetration.hpp"
 #include "polygon_pair.hpp"
 #include "relation.hpp"
 #include "task.hpp"
@@ -29,29 +32,14 @@ using gcv::Status;
 using gcv::Tally;
 using gcv::Task;
 using gcv::capi::guarded;
+using gcv::capi::is_out_of_range;
+using gcv::capi::public_contact;
 using gcv::capi::read_options;
+using gcv::capi::refuse_tolerance;
 using gcv::capi::require;
 using gcv::capi::threads_of;
-
-// `count` vectors of the caller: x0 y0 x1 y1 ...
-class Vectors {
- public:
-  // Throws Error: not_finite, with the name and the number of the vector.
-  Vectors(const double* xy, std::size_t count, const char* name) : xy_(xy) {
-    for (std::size_t k = 0; k < count; ++k) {
-      const Point p = (*this)[k];
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-        throw Error(Status::not_finite, "%s: number %zu is (%g, %g), not finite", name, k, p.x,
-                    p.y);
-      }
-    }
-  }
-  // With 0 in place of -0.
-  Point operator[](std::size_t k) const { return {xy_[2 * k] + 0.0, xy_[2 * k + 1] + 0.0}; }
-
- private:
-  const double* xy_;
-};
+using gcv::capi::Vectors;
+using gcv::capi::wanted_parts;
 
 // After how many translations progress is reported. Hard questions take a time that grows with the
 // number of vertices.
@@ -61,10 +49,11 @@ std::uint64_t translations_a_report(const PolygonPair& pair) {
   return std::clamp<std::uint64_t>(most_vertices / vertices, 1, Task::portion);
 }
 
-// Writes answer(k, tally) to out[k] for each k below `count`, once all are known.
-template <class Answer, class Result>
+// Writes to out[k], for each k below `count`, once all are known, what answer(k, tally, task)
+// gives. begin(tally) makes the answer for some of them, which it serves one after the other.
+template <class Begin, class Result>
 void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
-              Answer answer) {
+              Begin begin) {
   constexpr std::uint64_t most = 128;  // at a time
   const auto block = static_cast<std::size_t>(std::min(a_report, most));
   constexpr std::size_t few = 8;  // that need no memory of their own
@@ -75,10 +64,11 @@ void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& opti
                             [&](std::size_t number) {
                               task.advance(0);  // other threads go on after one that was cancelled
                               Tally tally;
+                              auto answer = begin(tally, task);
                               const std::size_t first = number * block;
                               const std::size_t end = std::min(count, first + block);
                               for (std::size_t k = first; k < end; ++k) {
-                                results[k] = answer(k, tally);
+                                results[k] = answer(k);
                               }
                               task.advance(end - first);
                             },
@@ -96,49 +86,56 @@ struct Question {
   const gcv_options* options;
 };
 
-// Writes answer(placed, tally) to `out` for each translation. Throws Error, with the number of the
-// translation.
-template <class Result, class Answer>
-void give_answers(const Question& question, Result* out, Answer answer) {
+// Progress before the first translation: none of them is done.
+struct Preparation {
+  const gcv_options& options;
+  std::size_t count;
+};
+std::int32_t report_preparation(void* context, std::uint64_t /*done*/, std::uint64_t /*all*/) {
+  const auto& [options, count] = *static_cast<const Preparation*>(context);
+  return options.progress(options.progress_context, 0, count);
+}
+
+// What is asked, checked.
+struct Asked {
+  PolygonPair pair;
+  Vectors translations;
+  gcv_options options;
+};
+// Nothing if there are no translations. Throws Error, with the number of the translation.
+template <class Result>
+std::optional<Asked> checked(const Question& question, const Result* out) {
   require(question.a, "a");
   require(question.b, "b");
   const gcv_options options = read_options(question.options);
   if (question.count == 0) {
-    return;
+    return std::nullopt;
   }
   require(question.translations, "translations");
   require(out, "out");
   const Vectors translations(question.translations, question.count, "translations");
-  const PolygonPair pair(*question.a->polygon, *question.b->polygon);
-  give_all(question.count, translations_a_report(pair), options, out,
-           [&](std::size_t k, Tally& tally) {
-             return answer(PlacedPair(pair, translations[k]), k, tally);
-           });
+  return Asked{PolygonPair(*question.a->polygon, *question.b->polygon), translations, options};
 }
 
-gcv_contact public_contact(const gcv::Contact& contact) {
-  const auto& [kind, a, b, gap, normal, on_a, on_b] = contact;
-  return {static_cast<std::int32_t>(kind),
-          a,
-          b,
-          0,
-          0,
-          0,
-          gap,
-          {normal.x, normal.y},
-          {on_a.x, on_a.y},
-          {on_b.x, on_b.y}};
+// Writes answer(placed, k, tally) to `out` for each translation k.
+template <class Result, class Answer>
+void give_answers(const Question& question, Result* out, Answer answer) {
+  if (const std::optional<Asked> asked = checked(question, out)) {
+    give_all(question.count, translations_a_report(asked->pair), asked->options, out,
+             [&](Tally& tally, Task& /*task*/) {
+               return [&](std::size_t k) {
+                 return answer(PlacedPair(asked->pair, asked->translations[k]), k, tally);
+               };
+             });
+  }
 }
 
 // Throws Error: range, where a number of the contact is beyond the largest double.
 void require_finite(const gcv::Contact& contact, std::size_t translation) {
-  for (const double x :
-       {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
-    if (!std::isfinite(x)) {
-      throw Error(Status::range,
-                  "translations: number %zu: a distance or a point is beyond the largest double",
-                  translation);
-    }
+  if (is_out_of_range(contact)) {
+    throw Error(Status::range,
+                "translations: number %zu: a distance or a point is beyond the largest double",
+                translation);
   }
 }
 
@@ -195,5 +192,38 @@ gcv_status gcv_cast(const gcv_polygon* a, const gcv_polygon* b, const double* tr
                                      {place.position.x, place.position.y},
                                      public_contact(contact)};
                  });
+  });
+}
+
+gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
+                           size_t count, const gcv_options* options, gcv_escape* out) {
+  return guarded([&] {
+    const Question question{a, b, translations, count, options};
+    const std::optional<Asked> asked = checked(question, out);
+    refuse_tolerance(read_options(options), "ways out of overlaps");
+    if (!asked) {
+      return;
+    }
+    Preparation preparation{asked->options, count};
+    Task task(1, asked->options.progress == nullptr ? nullptr : report_preparation, &preparation);
+    Tally tally_of_all;
+    const gcv::WaysOut ways(*a->polygon, *b->reflected(), wanted_parts(asked->options), task,
+                            tally_of_all);
+    give_all(count, translations_a_report(asked->pair), asked->options, out,
+             [&](Tally& tally, Task& progress) {
+               return [&, search = gcv::EscapeSearch(ways, tally)](std::size_t k) mutable {
+                 const auto [depth, way, place, contact] =
+                     search.find(PlacedPair(asked->pair, asked->translations[k]), progress);
+                 require_finite(place.position, k);
+                 require_finite(contact, k);
+                 require_finite({depth, 0}, k);
+                 return gcv_escape{depth,
+                                   {way.x, way.y},
+                                   {place.position.x, place.position.y},
+                                   static_cast<std::int32_t>(place.relation),
+                                   0,
+                                   public_contact(contact)};
+               };
+             });
   });
 }

@@ -192,7 +192,7 @@ Contact contact_on_entry(const PlacedPair& placed, const ContactName& name, cons
 
 Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
   if (relation(placed, tally) == Relation::overlapping) {
-    const auto start = ExactTranslation::of_sum({placed.b.translation, {0, 0}});
+    const auto start = ExactPoint::of_sum({placed.b.translation, {0, 0}});
     return {true, 0, usable_position(placed.pair, start, tally), {}};
   }
   if (!(motion == Point{0, 0})) {
@@ -200,13 +200,13 @@ Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
     if (search.entry() && is_before_end(search.path(), *search.entry(), tally)) {
       const SumEdge& path = search.path();
       const auto& [name, line, time] = *search.entry();
-      const auto position = ExactTranslation::of_crossing(path, line);
+      const auto position = ExactPoint::of_crossing(path, line);
       return {true, parameter_below(path, line, tally),
               usable_position(placed.pair, position, tally),
               contact_on_entry(placed, name, motion, tally)};
     }
   }
-  const auto end = ExactTranslation::of_sum({placed.b.translation, motion});
+  const auto end = ExactPoint::of_sum({placed.b.translation, motion});
   return {false, 1, usable_position(placed.pair, end, tally), {}};
 }
 

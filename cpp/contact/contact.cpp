@@ -9,13 +9,6 @@ namespace gcv {
 
 namespace {
 
-// The outward normal of an edge: from its start, turned right by a right angle.
-Point outward_normal(const SumEdge& edge, Tally& tally) {
-  const auto turned_right = [](const Point& p) { return Point{p.y, -p.x}; };
-  return nearest_unit_vector({turned_right(edge.from), {0, 0}}, {turned_right(edge.to), {0, 0}},
-                             tally);
-}
-
 Contact between_vertices(const PlacedPair& placed, const ContactName& name, Tally& tally) {
   const SumPoint p = placed.a.vertex(name.i);
   const SumPoint q = placed.b.vertex(name.j);
@@ -84,6 +77,12 @@ Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
   }
   const EdgeAndVertex pair = edge_and_vertex(placed, name);
   return gap_between(pair, nearest_on(pair, tally));
+}
+
+Point outward_normal(const SumEdge& edge, Tally& tally) {
+  const auto turned_right = [](const Point& p) { return Point{p.y, -p.x}; };
+  return nearest_unit_vector({turned_right(edge.from), {0, 0}}, {turned_right(edge.to), {0, 0}},
+                             tally);
 }
 
 Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {

@@ -62,6 +62,8 @@ Gap gap_between(const EdgeAndVertex& pair, Nearest nearest);
 // The same for any contact.
 Gap gap_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
 
+// The outward normal of an edge: a unit vector to its right, each coordinate within an ulp.
+Point outward_normal(const SumEdge& edge, Tally& tally);
 // The normal of the edge of a contact, from A to B. Not for two vertices.
 Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
 

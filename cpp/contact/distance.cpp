@@ -7,47 +7,34 @@
 #include <cmath>
 #include <optional>
 
-#include "pair_descent.hpp"
+#include "relative_pair.hpp"
 
 namespace gcv {
 
 namespace {
 
 // The pairs of an edge and a vertex of two polygons that are apart which may be nearest to each
-// other. In doubles, relative to the first vertex of A.
+// other. In doubles.
 class NearestPairs {
  public:
-  explicit NearestPairs(const PlacedPair& placed)
-      : placed_(placed),
-        offset_(placed.offset()),
-        scale_(scale_for(extent(placed.a.tree.box) + extent(placed.b.tree.box) +
-                         std::abs(offset_.x) + std::abs(offset_.y))),
-        slack_(scale_ *
-               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {
+  explicit NearestPairs(const PlacedPair& placed) : relative_(placed) {
     PairDescent(placed, *this).run();
   }
 
   // The nearest one first.
   template <class Visit>
   bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
-    const SimdDouble none = SimdDouble::of(0);
-    const SimdDouble x = scale_ * larger(none, larger(SimdDouble::load(block.x0) + -box.x1,
-                                                      box.x0 - SimdDouble::load(block.x1)));
-    const SimdDouble y = scale_ * larger(none, larger(SimdDouble::load(block.y0) + -box.y1,
-                                                      box.y0 - SimdDouble::load(block.y1)));
     double squares[ChainTree::width];
-    (x * x + y * y).store(squares);
+    relative_.squares_of_distances(block, box).store(squares);
     return any_in_order(children_of(block), squares, limit_, visit);
   }
 
   // The start of each of the edges and the other edge.
   bool meet(Index i, Index j) {
-    const Point p = scaled(placed_.a.boundary.relative(i));
-    const Point p_end = scaled(placed_.a.boundary.relative(placed_.a.next(i)));
-    const Point q = scaled(moved(placed_.b.boundary.relative(j)));
-    const Point q_end = scaled(moved(placed_.b.boundary.relative(placed_.b.next(j))));
-    add({ContactKind::edge_vertex, i, j}, square_of_distance(p, p_end, q));
-    add({ContactKind::vertex_edge, i, j}, square_of_distance(q, q_end, p));
+    const RelativePair::Ends p = relative_.edge_of_a(i);
+    const RelativePair::Ends q = relative_.edge_of_b(j);
+    add({ContactKind::edge_vertex, i, j}, RelativePair::square_of_distance(p, q.from));
+    add({ContactKind::vertex_edge, i, j}, RelativePair::square_of_distance(q, p.from));
     return false;
   }
 
@@ -73,39 +60,11 @@ class NearestPairs {
     candidates_.push_back({square, name});
     if (square < least_) {
       least_ = square;
-      const double reach = std::sqrt(square) + 2 * slack_;
-      limit_ = (1 + 0x1p-48) * reach * reach + std::numeric_limits<double>::min();
+      limit_ = relative_.limit_of_squares(std::sqrt(square));
     }
   }
 
-  [[nodiscard]] Point moved(const Point& p) const { return {p.x + offset_.x, p.y + offset_.y}; }
-  [[nodiscard]] Point scaled(const Point& p) const { return {scale_ * p.x, scale_ * p.y}; }
-  // A power of two by which lengths of that size can be multiplied so that their squares are in
-  // range.
-  static double scale_for(double size) {
-    return size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1;
-  }
-
-  static double square(double x, double y) { return x * x + y * y; }
-  // Of a point from a segment.
-  static double square_of_distance(const Point& from, const Point& to, const Point& p) {
-    const double dx = to.x - from.x;
-    const double dy = to.y - from.y;
-    const double x = p.x - from.x;
-    const double y = p.y - from.y;
-    const double length = square(dx, dy);
-    const double along = dx * x + dy * y;
-    if (along > 0 && along < length) {
-      const double height = dx * y - dy * x;
-      return height * (height / length);
-    }
-    return along <= 0 ? square(x, y) : square(p.x - to.x, p.y - to.y);
-  }
-
-  const PlacedPair& placed_;
-  const Point offset_;
-  const double scale_;  // of all distances below
-  const double slack_;
+  const RelativePair relative_;
   double least_ = std::numeric_limits<double>::infinity();
   double limit_ = std::numeric_limits<double>::infinity();
   boost::container::small_vector<Candidate, 16> candidates_;

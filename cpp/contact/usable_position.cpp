@@ -6,34 +6,9 @@
 #include <cmath>
 #include <cstdlib>
 
-#include "gap.hpp"
-#include "predicates.hpp"
-
 namespace gcv {
 
 namespace {
-
-// The sign of an exact coordinate minus a double.
-int compare_x(const ExactTranslation& exact, double x, Tally& tally) {
-  if (exact.is_sum) {
-    return compare_sums(exact.sum.a.x, exact.sum.b.x, x, 0, tally);
-  }
-  const SumEdge& s = exact.s.from.x != exact.s.to.x ? exact.s : exact.t;
-  const SumEdge& t = exact.s.from.x != exact.s.to.x ? exact.t : exact.s;
-  const SumEdge upright{{{x, 0}, {0, 0}}, {0, 0}, {0, 1}, 0, 1};
-  const int order = compare_crossings(s, t, upright, tally);
-  return s.from.x < s.to.x ? order : -order;
-}
-int compare_y(const ExactTranslation& exact, double y, Tally& tally) {
-  if (exact.is_sum) {
-    return compare_sums(exact.sum.a.y, exact.sum.b.y, y, 0, tally);
-  }
-  const SumEdge& s = exact.s.from.y != exact.s.to.y ? exact.s : exact.t;
-  const SumEdge& t = exact.s.from.y != exact.s.to.y ? exact.t : exact.s;
-  const SumEdge level{{{0, y}, {0, 0}}, {0, 0}, {1, 0}, 1, 0};
-  const int order = compare_crossings(s, t, level, tally);
-  return s.from.y < s.to.y ? order : -order;
-}
 
 // A number of doubles to go up, or down.
 double stepped(double x, int steps) {
@@ -78,10 +53,8 @@ bool is_within_two_ulps(int steps, int side_of_exact) {
 
 }  // namespace
 
-UsablePosition usable_position(const PolygonPair& pair, const ExactTranslation& exact,
-                               Tally& tally) {
-  const Point nearest =
-      exact.is_sum ? nearest_point(exact.sum, tally) : nearest_crossing(exact.s, exact.t, tally);
+UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact, Tally& tally) {
+  const Point nearest = nearest_point(exact, {0, 0}, tally);
   if (!std::isfinite(nearest.x) || !std::isfinite(nearest.y)) {
     return {nearest, Relation::overlapping};
   }

@@ -228,33 +228,32 @@ double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally) {
   });
 }
 
-Point nearest_point(const SumPoint& point, Tally& tally) {
-  if (const auto in_doubles = rounded_sum(point, {0, 0})) {
+Point nearest_point(const SumPoint& point, Tally& tally, const Point& shift) {
+  if (const auto in_doubles = rounded_sum(point, shift)) {
     ++tally.filtered;
     return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
   }
-  const Grid grid{point.a, point.b};
-  return with_integers(rounding_bits(grid.bits() + 1), tally, [&]<class Integer>() {
-    const auto nearest = [&](double a, double b) {
-      return nearest_double(Integer(grid.integer<Integer>(a) + grid.integer<Integer>(b)),
-                            Integer(1), grid.exponent())
-                 .value +
-             0.0;
+  const Grid grid{point.a, point.b, shift};
+  return with_integers(rounding_bits(grid.bits() + 2), tally, [&]<class Integer>() {
+    const auto nearest = [&](double a, double b, double c) {
+      const Integer sum =
+          grid.integer<Integer>(a) + grid.integer<Integer>(b) + grid.integer<Integer>(c);
+      return nearest_double(sum, Integer(1), grid.exponent()).value + 0.0;
     };
-    return Point{nearest(point.a.x, point.b.x), nearest(point.a.y, point.b.y)};
+    return Point{nearest(point.a.x, point.b.x, shift.x), nearest(point.a.y, point.b.y, shift.y)};
   });
 }
 
-Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally) {
-  if (const auto in_doubles = rounded_crossing(s, t, {0, 0})) {
+Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally, const Point& shift) {
+  if (const auto in_doubles = rounded_crossing(s, t, shift)) {
     ++tally.filtered;
     return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
   }
-  Grid grid;
+  Grid grid{shift};
   grid.include(s);
   grid.include(t);
   return with_integers(rounding_bits(crossing_bits(grid.bits())), tally, [&]<class Integer>() {
-    const HomogeneousPoint<Integer> p = crossing<Integer>(grid, s, t, {0, 0});
+    const HomogeneousPoint<Integer> p = crossing<Integer>(grid, s, t, shift);
     return Point{nearest_double(p.x, p.w, grid.exponent()).value + 0.0,
                  nearest_double(p.y, p.w, grid.exponent()).value + 0.0};
   });

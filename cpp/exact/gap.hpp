@@ -34,9 +34,10 @@ SumEdge perpendicular(const SumEdge& edge, const SumPoint& point);
 // d_s. lambda must be from 0 on, and s and t not parallel.
 double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally);
 
-// The point a + b, and the crossing of the lines of two edges that are not parallel: each
-// coordinate is the nearest double, ties to even; infinite if that is not finite.
-Point nearest_point(const SumPoint& point, Tally& tally);
-Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally);
+// The point a + b, and the crossing of the lines of two edges that are not parallel, plus a shift:
+// each coordinate is the nearest double, ties to even; infinite if that is not finite.
+Point nearest_point(const SumPoint& point, Tally& tally, const Point& shift = {0, 0});
+Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally,
+                       const Point& shift = {0, 0});
 
 }  // namespace gcv

@@ -32,6 +32,11 @@ inline Box hull_of(const Box& p, const Box& q) {
   return {std::min(p.x0, q.x0), std::min(p.y0, q.y0), std::max(p.x1, q.x1), std::max(p.y1, q.y1)};
 }
 
+// The box of the sums of points of two boxes.
+inline Box sum_of(const Box& p, const Box& q) {
+  return {p.x0 + q.x0, p.y0 + q.y0, p.x1 + q.x1, p.y1 + q.y1};
+}
+
 // The box, moved outwards by `more` on each side.
 inline Box widened(const Box& box, double more) {
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};

@@ -47,6 +47,7 @@ struct ChordTree {
   [[nodiscard]] const Block& block_of(Node node) const { return blocks[node / width]; }
   static std::uint32_t lane_of(Node node) { return node % width; }
   [[nodiscard]] double extent(Node node) const { return block_of(node).extent[lane_of(node)]; }
+  [[nodiscard]] Box box(Node node) const { return block_of(node).boxes.box(lane_of(node)); }
   [[nodiscard]] bool is_edge(Node node) const { return extent(node) < 0; }
   // The number of an edge, or the block that holds the children.
   [[nodiscard]] std::uint32_t below(Node node) const { return block_of(node).below[lane_of(node)]; }

@@ -232,41 +232,4 @@ const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, d
   return pairs_;
 }
 
-bool WitnessSearch::is_covered(const Nodes& nodes) const {
-  const Box a = a_.block_of(nodes.a).boxes.box(ChordTree::lane_of(nodes.a));
-  const Box b = b_.block_of(nodes.b).boxes.box(ChordTree::lane_of(nodes.b));
-  const Box box{a.x0 + b.x0, a.y0 + b.y0, a.x1 + b.x1, a.y1 + b.y1};
-  return (last_ && last_->holds(box)) || cells_.hold(box);
-}
-
-std::vector<WitnessSearch::Below> WitnessSearch::all_below(const ChordTree& tree,
-                                                           const Boundary& polygon,
-                                                           const Ranks& ranks) const {
-  const auto sectors = [&](Rank first, Rank last) {
-    return sectors_of(operands_.directions, first, last);
-  };
-  std::vector<Below> result(tree.blocks.size() * ChordTree::width);
-  for (std::size_t k = result.size(); k-- > 0;) {
-    const auto node = static_cast<ChordTree::Node>(k);
-    if ((tree.block_of(node).lanes >> ChordTree::lane_of(node) & 1U) == 0) {
-      continue;
-    }
-    const std::uint32_t below = tree.below(node);
-    if (tree.is_edge(node)) {
-      result[node] = {
-          sectors(ranks[below], ranks[below]),
-          polygon.corners[below].convex ? sectors(ranks[polygon.previous(below)], ranks[below]) : 0,
-          1};
-      continue;
-    }
-    for (std::uint32_t lane = 0; lane < ChordTree::width; ++lane) {
-      const Below& child = result[ChordTree::node(below, lane)];
-      result[node].edges |= child.edges;
-      result[node].cones |= child.cones;
-      result[node].size += child.size;
-    }
-  }
-  return result;
-}
-
 }  // namespace gcv

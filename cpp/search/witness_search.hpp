@@ -9,6 +9,7 @@
 #include "chord_tree.hpp"
 #include "contributing_vertices.hpp"
 #include "covered_cells.hpp"
+#include "edges_below.hpp"
 #include "sectors.hpp"
 #include "witness.hpp"
 
@@ -44,6 +45,11 @@ class WitnessSearch {
   // pairs of edges that it is done with; in all, that is all of them.
   template <class Visit, class Pass>
   void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
+
+  // Do covered cells hold a box in relative coordinates, or does the last witness?
+  [[nodiscard]] bool covers(const Box& box) const {
+    return (last_ && last_->holds(box)) || cells_.hold(box);
+  }
 
   [[nodiscard]] double slack() const { return slack_; }
 
@@ -116,19 +122,6 @@ class WitnessSearch {
 
   // How far the witnesses that were met reach from t; t if none reaches `least`.
   double met_reach(double t, double least);
-  // Do covered cells hold the sum of the nodes, or does the last witness?
-  [[nodiscard]] bool is_covered(const Nodes& nodes) const;
-
-  // What is below a node: the directions of edges and cones, and how many edges.
-  struct Below {
-    Sectors edges = 0;
-    Sectors cones = 0;
-    Index size = 0;
-  };
-  // Of the nodes of a tree.
-  [[nodiscard]] std::vector<Below> all_below(const ChordTree& tree, const Boundary& polygon,
-                                             const Ranks& ranks) const;
-
   const Operands& operands_;
   const ChordTree& a_;
   const ChordTree& b_;
@@ -151,8 +144,8 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
   const Directions& directions = operands_.directions;
   const Rank half = directions.half_turn;
   const Sectors wanted = sectors_of(directions, first, (first + half - 1) % (2 * half));
-  const std::vector<Below> below_a = all_below(a_, operands_.a, directions.rank_a);
-  const std::vector<Below> below_b = all_below(b_, operands_.b, directions.rank_b);
+  const auto below_a = all_edges_below(a_, operands_.a, directions.rank_a, directions);
+  const auto below_b = all_edges_below(b_, operands_.b, directions.rank_b, directions);
   const auto visit_edge = [&](const PairEdge& edge, bool contributes) {
     if (contributes && directions.angle(first, edge.rank) < half) {
       visit(edge);
@@ -162,10 +155,9 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
   while (!stack.empty()) {
     const Nodes nodes = stack.back();
     stack.pop_back();
-    const Below& a = below_a[nodes.a];
-    const Below& b = below_b[nodes.b];
-    const bool is_wanted = (((a.edges & b.cones) | (a.cones & b.edges)) & wanted) != 0;
-    if (is_wanted && !is_covered(nodes)) {
+    const EdgesBelow& a = below_a[nodes.a];
+    const EdgesBelow& b = below_b[nodes.b];
+    if (have_superset_edges(a, b, wanted) && !covers(sum_of(a_.box(nodes.a), b_.box(nodes.b)))) {
       if (!are_edges(nodes)) {
         const Family children = family(nodes);
         for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {

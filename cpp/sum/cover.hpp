@@ -136,11 +136,15 @@ class EdgeCover {
   }
 
   // The same for the sums of points in which rings of A touch with such points of B. These can be
-  // isolated points of F that lie on no superset edge.
-  template <class Visitor>
-  void visit_touches(Visitor& visitor) {
+  // isolated points of F that lie on no superset edge. Leaves out those that is_wanted(sum) does
+  // not want.
+  template <class Visitor, class IsWanted>
+  void visit_touches(Visitor& visitor, IsWanted is_wanted) {
     for (const Touch& p : touches_a_.all()) {
       for (const Touch& q : touches_b_.all()) {
+        if (!is_wanted(VertexSum{p.vertices.front(), q.vertices.front()})) {
+          continue;
+        }
         const PairEdge s = operands_.translated(p.vertices.front(), q.vertices.front());
         const PlacesOnLine places(operands_, s, tally_);
         const RelativeLine line{operands_.relative_start(s), places.line().at.dx,
@@ -153,6 +157,15 @@ class EdgeCover {
       }
     }
   }
+
+  // What follows the place on the line is free. The next place where this may end.
+  Place end_of_free(const PlacesOnLine& places, const Place& place) {
+    const Line& s = places.line();
+    return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place);
+  }
+
+  // What it searches with. A walk begins it anew.
+  [[nodiscard]] WitnessSearch& search() { return search_; }
 
  private:
   // A ring has left s in the place, as a rule into what is covered. Then nothing, or a place beyond

@@ -193,7 +193,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   EdgeCover cover(operands, Solids::one, tally);
   walk_half_plane(operands, cover, finder, task, counts);
   if (wanted.fits) {
-    cover.visit_touches(finder);
+    cover.visit_touches(finder, [](const VertexSum&) { return true; });
   }
   if (!wanted.holes) {
     finder.rings().clear();

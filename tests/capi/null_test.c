@@ -231,7 +231,8 @@ static void two_polygons(const gcv_polygon *a) {
   int8_t relation = 77;
   gcv_separation separation = {0};
   gcv_impact impact = {0};
-  separation.distance = impact.time = UNTOUCHED;
+  gcv_escape escape = {0};
+  separation.distance = impact.time = escape.depth = UNTOUCHED;
   REFUSES("a", gcv_relation(NULL, a, xy, 1, NULL, &relation));
   REFUSES("b", gcv_relation(a, NULL, xy, 1, NULL, &relation));
   REFUSES("translations", gcv_relation(a, a, NULL, 1, NULL, &relation));
@@ -245,7 +246,33 @@ static void two_polygons(const gcv_polygon *a) {
   REFUSES("translations", gcv_cast(a, a, NULL, xy, 1, NULL, &impact));
   REFUSES("motions", gcv_cast(a, a, xy, NULL, 1, NULL, &impact));
   REFUSES("out", gcv_cast(a, a, xy, xy, 1, NULL, NULL));
+  REFUSES("a", gcv_penetration(NULL, a, xy, 1, NULL, &escape));
+  REFUSES("b", gcv_penetration(a, NULL, xy, 0, NULL, &escape));
+  REFUSES("translations", gcv_penetration(a, a, NULL, 1, NULL, &escape));
+  REFUSES("out", gcv_penetration(a, a, xy, 1, NULL, NULL));
+  CHECK(escape.depth == UNTOUCHED);
   CHECK(relation == 77 && separation.distance == UNTOUCHED && impact.time == UNTOUCHED);
+}
+
+static void contact_lists(const gcv_polygon *a) {
+  const double t[2] = {1, 0};
+  gcv_contact_list *list = UNTOUCHED_HANDLE;
+  gcv_contact contacts[8] = {{0}};
+  uint64_t previous[8] = {77};
+  size_t required = 0;
+  contacts[0].gap = UNTOUCHED;
+  REFUSES("a", gcv_contacts(NULL, a, t, 0, 0, NULL, &list));
+  REFUSES("b", gcv_contacts(a, NULL, t, 0, 0, NULL, &list));
+  REFUSES("t", gcv_contacts(a, a, NULL, 0, 0, NULL, &list));
+  REFUSES("out", gcv_contacts(a, a, t, 0, 0, NULL, NULL));
+  CHECK(list == UNTOUCHED_HANDLE);
+  CHECK_OK(gcv_contacts(a, a, t, 0, 0, NULL, &list));
+  REFUSES("list", gcv_contact_list_contacts(NULL, contacts, 8, &required));
+  REFUSES("required", gcv_contact_list_contacts(list, contacts, 8, NULL));
+  REFUSES("list", gcv_contact_list_previous(NULL, previous, 8, &required));
+  REFUSES("required", gcv_contact_list_previous(list, previous, 8, NULL));
+  CHECK(contacts[0].gap == UNTOUCHED && previous[0] == 77);
+  gcv_contact_list_destroy(list);
 }
 
 static void supersets(const gcv_superset *superset) {
@@ -268,6 +295,7 @@ static void allowed(void) {
   gcv_outer_face_destroy(NULL);
   gcv_superset_destroy(NULL);
   gcv_region_destroy(NULL);
+  gcv_contact_list_destroy(NULL);
   CHECK(strcmp(gcv_last_error_message(), "") == 0);
 }
 
@@ -284,6 +312,7 @@ int main(void) {
   sums(square, square);
   faces(face);
   two_polygons(square);
+  contact_lists(square);
   supersets(superset);
   region_sums(square, square);
   regions(region);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: LGPL-3.0-or-later
  *
- * Two polygons: gcv_relation, gcv_distance, gcv_cast.
+ * Two polygons: gcv_relation, gcv_distance, gcv_cast, gcv_penetration, gcv_contacts.
  */
 #include <math.h>
 
@@ -62,6 +62,115 @@ static void casts(void) {
   gcv_polygon_destroy(square);
 }
 
+/* A U with a slot of width 2, and a square of side 2 that fits into it exactly. */
+static void escapes(void) {
+  static const double starts[] = {0.25, -1.75, 0, 0, 9, 9, 2.25, 3};
+  static const double depths[] = {0.25, 2, 0, 0.25};
+  static const double ways[] = {0, -0.25, -2, 0, 0, 0, -0.25, 0};
+  gcv_polygon *square = SQUARE(2), *u = POLYGON(0, 0, 6, 0, 6, 6, 4, 6, 4, 2, 2, 2, 2, 6, 0, 6);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_escape escapes[4], other;
+  size_t k;
+  CHECK_OK(gcv_penetration(u, square, NULL, 0, NULL, NULL));
+  CHECK_OK(gcv_penetration(u, square, starts, 4, NULL, escapes));
+  for (k = 0; k < 4; ++k) {
+    const gcv_escape *e = &escapes[k];
+    CHECK(e->depth == depths[k] && e->reserved == 0);
+    CHECK(e->translation[0] == ways[2 * k] && e->translation[1] == ways[2 * k + 1]);
+    CHECK(e->position[0] == starts[2 * k] + ways[2 * k]);
+    CHECK(e->position[1] == starts[2 * k + 1] + ways[2 * k + 1]);
+    CHECK(e->relation == (k == 2 ? GCV_APART : GCV_TOUCHING));
+    CHECK((e->contact.kind == 0) == (k == 2) && e->contact.gap == 0);
+  }
+  /* In the slot, at (2, 3): the edge from (4, 6) to (4, 2) and the vertex (2, 0) of the square. */
+  CHECK(escapes[3].contact.kind == GCV_CONTACT_EDGE_VERTEX);
+  CHECK(escapes[3].contact.a == 3 && escapes[3].contact.b == 1);
+  CHECK(escapes[3].contact.normal[0] == -1 && escapes[3].contact.normal[1] == 0);
+  CHECK(escapes[3].contact.on_a[0] == 4 && escapes[3].contact.on_b[1] == 3);
+  options.leave_out = GCV_LEAVE_OUT_FITS;
+  CHECK_OK(gcv_penetration(u, square, starts + 6, 1, &options, &other));
+  CHECK(other.depth == 3 && other.translation[0] == 0 && other.translation[1] == 3);
+  options.tolerance = 1;
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "options: tolerance is 1;",
+                gcv_penetration(u, square, starts, 0, &options, &other));
+  gcv_polygon_destroy(square);
+  gcv_polygon_destroy(u);
+}
+
+/* A square of side 1 in a square hole of side 4, nearer to the hole than to the outside, and the
+ * other way round. */
+static void escapes_with_holes_left_out(void) {
+  static const double xy[] = {0, 0, 8, 0, 8, 8, 0, 8, 2, 2, 6, 2, 6, 6, 2, 6};
+  static const size_t sizes[] = {4, 4};
+  static const double starts[] = {1.5, 4, 0.25, 4, 3, 3};
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_polygon *square = SQUARE(1), *room = NULL;
+  gcv_escape e[3];
+  CHECK_OK(gcv_polygon_create_rings(xy, sizes, 2, 0, &room));
+  CHECK_OK(gcv_penetration(room, square, starts, 3, NULL, e));
+  CHECK(e[0].depth == 0.5 && e[1].depth == 1.25 && e[2].depth == 0);
+  CHECK(e[0].translation[0] == 0.5 && e[1].translation[0] == -1.25);
+  options.leave_out = GCV_LEAVE_OUT_HOLES;
+  CHECK_OK(gcv_penetration(room, square, starts, 3, &options, e));
+  CHECK(e[0].depth == 2.5 && e[0].translation[0] == -2.5 && e[1].depth == 1.25);
+  CHECK(e[2].depth == 0 && e[2].relation == GCV_APART);
+  options.leave_out = GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS;
+  CHECK_OK(gcv_penetration(room, square, starts, 3, &options, e));
+  CHECK(e[0].depth == 2.5 && e[0].position[0] == -1 && e[0].position[1] == 4);
+  gcv_polygon_destroy(square);
+  gcv_polygon_destroy(room);
+}
+
+/* Two squares of side 2 whose faces share a part: its two ends. */
+static void contacts(void) {
+  static const double t[] = {2, 1}, above[] = {0.5, 2.25}, deep[] = {1.75, 1};
+  gcv_polygon *square = SQUARE(2);
+  gcv_contact_list *list = NULL;
+  gcv_contact out[8];
+  uint64_t previous[8];
+  size_t required = 0;
+  CHECK_OK(gcv_contacts(square, square, t, 0, 0, NULL, &list));
+  CHECK_OK(gcv_contact_list_contacts(list, NULL, 0, &required));
+  CHECK(required == 2);
+  CHECK(gcv_contact_list_contacts(list, out, 1, &required) == GCV_ERR_BUFFER_TOO_SMALL);
+  CHECK_OK(gcv_contact_list_contacts(list, out, 8, &required));
+  CHECK(out[0].kind == GCV_CONTACT_EDGE_VERTEX && out[0].a == 1 && out[0].b == 0);
+  CHECK(out[1].kind == GCV_CONTACT_VERTEX_EDGE && out[1].a == 2 && out[1].b == 3);
+  CHECK(out[0].gap == 0 && out[0].normal[0] == 1 && out[0].normal[1] == 0);
+  CHECK(out[0].on_a[0] == 2 && out[0].on_a[1] == 1 && out[1].on_b[1] == 2);
+  CHECK(out[0].id_a == 0 && out[0].id_b == 0 && out[0].reserved == 0);
+  CHECK_OK(gcv_contact_list_previous(list, previous, 8, &required));
+  CHECK(required == 2 && previous[0] == UINT64_MAX && previous[1] == UINT64_MAX);
+  gcv_contact_list_destroy(list);
+  CHECK_OK(gcv_contacts(square, square, above, 0.125, 3, NULL, &list));
+  CHECK_OK(gcv_contact_list_contacts(list, out, 8, &required));
+  CHECK(required == 0);
+  gcv_contact_list_destroy(list);
+  CHECK_OK(gcv_contacts(square, square, deep, 0.25, 0, NULL, &list));
+  CHECK_OK(gcv_contact_list_contacts(list, out, 8, &required));
+  CHECK(required == 2 && out[0].gap == -0.25 && out[1].gap == -0.25);
+  gcv_contact_list_destroy(list);
+  gcv_polygon_destroy(square);
+}
+
+static void refused_contacts(void) {
+  static const double t[] = {0, 0}, bad[] = {0, INFINITY};
+  gcv_polygon *square = SQUARE(2);
+  gcv_contact_list *list = NULL;
+  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "t: number 0",
+                gcv_contacts(square, square, bad, 0, 0, NULL, &list));
+  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "distance is",
+                gcv_contacts(square, square, t, NAN, 0, NULL, &list));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "distance is",
+                gcv_contacts(square, square, t, -1, 0, NULL, &list));
+  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "slope is",
+                gcv_contacts(square, square, t, 0, INFINITY, NULL, &list));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "slope is",
+                gcv_contacts(square, square, t, 0, -1, NULL, &list));
+  CHECK(list == NULL);
+  gcv_polygon_destroy(square);
+}
+
 static void refusals(void) {
   const double bad[] = {0, 0, 1, NAN}, far[] = {0, 0, 1.7e308, 0}, good[] = {0, 0, 0, 0};
   const double corner[] = {-1.7e308, 0, -1.6e308, 0, -1.7e308, 1e307};
@@ -69,6 +178,8 @@ static void refusals(void) {
   int8_t relation[2] = {77, 77};
   gcv_separation separation[2];
   gcv_impact impact[2];
+  gcv_escape escape[2];
+  escape[0].depth = 77;
   separation[0].distance = impact[0].time = 77;
   CHECK_OK(gcv_polygon_create(corner, 3, 0, &distant));
   CHECK_REFUSED(GCV_ERR_NOT_FINITE, "translations: number 1",
@@ -79,6 +190,9 @@ static void refusals(void) {
                 gcv_cast(square, square, good, bad, 2, NULL, impact));
   CHECK_REFUSED(GCV_ERR_RANGE, "translations: number 1",
                 gcv_distance(distant, square, far, 2, NULL, separation));
+  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "translations: number 1",
+                gcv_penetration(square, square, bad, 2, NULL, escape));
+  CHECK(escape[0].depth == 77);
   CHECK(relation[0] == 77 && separation[0].distance == 77 && impact[0].time == 77);
   CHECK_OK(gcv_relation(distant, square, far, 2, NULL, relation));
   CHECK(relation[0] == GCV_APART && relation[1] == GCV_APART);
@@ -89,6 +203,10 @@ static void refusals(void) {
 int main(void) {
   relations_and_distances();
   casts();
+  escapes();
+  escapes_with_holes_left_out();
+  contacts();
+  refused_contacts();
   refusals();
   return check_failures != 0;
 }

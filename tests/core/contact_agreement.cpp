@@ -134,7 +134,7 @@ std::string contact_difference(const gcv_contact& got, const reference::Contact*
   std::string wrong;
   if (feature != wanted->feature) {
     wrong = "the feature";
-  } else if (!is_nearest_root(deep ? -got.gap : got.gap, wanted->squared_gap)) {
+  } else if (!is_nearest_root(deep ? 0.0 - got.gap : got.gap, wanted->squared_gap)) {
     wrong = "the gap, by the square " + wanted->squared_gap.str();
   } else if (!is_near_quotient(got.normal[0], wanted->normal.x, squared_length) ||
              !is_near_quotient(got.normal[1], wanted->normal.y, squared_length)) {

@@ -47,6 +47,10 @@ Messages check_distances(const ContactPair& pair, const Points& translations,
                          ContactCounts& counts);
 Messages check_casts(const ContactPair& pair, const Points& translations, const Points& motions,
                      ContactCounts& counts);
+Messages check_escapes(const ContactPair& pair, const Points& translations, ContactCounts& counts);
+// The contacts at one translation.
+Messages check_contacts(const ContactPair& pair, const Point& translation, double distance,
+                        double slope, ContactCounts& counts);
 
 // ---- What the checks consist of
 

@@ -6,11 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <iostream>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -90,6 +92,48 @@ TEST_P(TwoPolygons, MoveUntilTheyOverlap) {
       "position, %zu out of range\n",
       static_cast<unsigned long long>(seed), counts.hits, counts.misses, counts.starts_inside,
       counts.not_free, counts.out_of_range);
+}
+
+// Distances: 0, that of the polygons, and the length of a motion. Slopes from none to a steep one.
+TEST_P(TwoPolygons, HaveTheContactsOfTheDefinition) {
+  const std::vector<double> slopes{0, 0, 0x1p-52, 0.125, 3};
+  ContactCounts counts;
+  std::size_t number = 0;
+  for_each_scene(GetParam(), 2 * cases, 6, [&](const ContactScene& scene, const auto& pair) {
+    Messages messages;
+    for (std::size_t k = 0; k < scene.translations.size(); ++k) {
+      const Point& t = scene.translations[k];
+      gcv_separation separation{};
+      if (gcv_distance(pair.a.get(), pair.b.get(), t.data(), 1, nullptr, &separation) != GCV_OK) {
+        ++counts.out_of_range;
+        continue;
+      }
+      const double length = std::hypot(scene.motions[k][0], scene.motions[k][1]);
+      const std::vector<double> distances{0, separation.distance,
+                                          std::min(length, std::numeric_limits<double>::max())};
+      const double slope = slopes[number % slopes.size()];
+      const double distance = distances[number % distances.size()];
+      ++number;
+      const Messages found = check_contacts(pair, t, distance, slope, counts);
+      messages.insert(messages.end(), found.begin(), found.end());
+    }
+    return messages;
+  });
+  std::printf("seed %llu: %zu contacts in %zu lists, %zu out of range\n",
+              static_cast<unsigned long long>(seed), counts.listed, number, counts.out_of_range);
+}
+
+// The reference takes seconds for a case of many vertices.
+TEST_P(TwoPolygons, LeaveOverlapsTheShortestWay) {
+  const bool is_large = std::string(GetParam().name) == "spiky stars";
+  ContactCounts counts;
+  for_each_scene(GetParam(), is_large ? (cases + 14) / 15 : cases, 6,
+                 [&](const ContactScene& scene, const auto& pair) {
+                   return check_escapes(pair, scene.translations, counts);
+                 });
+  std::printf("seed %llu: %zu overlap, %zu without a free position, %zu out of range\n",
+              static_cast<unsigned long long>(seed), counts.overlapping, counts.not_free,
+              counts.out_of_range);
 }
 
 template <class Result>

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Minkowski sums of two polygons, exactly: outer faces and whole regions.
 
+And questions about two polygons, exactly, without a sum: whether they touch or overlap,
+how far they are from each other, and how far one can move.
+
 Every coordinate is a finite float and stands for exactly that number; nothing is
 rounded but the coordinates that are handed back as floats, each once. Polygons, outer
 faces and regions never change, so any number of threads may share them; the work is
@@ -11,10 +14,12 @@ done outside Python's global lock. They can be pickled, and travel to other proc
 from typing import TYPE_CHECKING
 
 from ._call import LeaveOut, Progress, Rounding
+from ._contact_list import ContactList, contacts
 from ._contacts import (
     DTYPES,
     Contact,
     ContactKind,
+    Escape,
     Impact,
     Relation,
     Separation,
@@ -59,7 +64,7 @@ from ._sums import (
     no_fit_polygon_many,
     superset,
 )
-from ._two_polygons import cast, distance, relation
+from ._two_polygons import cast, distance, penetration, relation
 
 if TYPE_CHECKING:
     import numpy
@@ -68,6 +73,8 @@ if TYPE_CHECKING:
     """Of an array of contacts; its fields are the members of gcv_contact. It takes numpy."""
     SEPARATION_DTYPE: numpy.dtype[numpy.void]
     """Of an array of what distance gives, likewise of gcv_separation."""
+    ESCAPE_DTYPE: numpy.dtype[numpy.void]
+    """Of an array of what penetration gives, likewise of gcv_escape."""
     IMPACT_DTYPE: numpy.dtype[numpy.void]
     """Of an array of what cast gives, likewise of gcv_impact."""
 else:
@@ -101,8 +108,10 @@ __all__ = [
     "TOUCHING",
     "Contact",
     "ContactKind",
+    "ContactList",
     "EdgeSource",
     "Error",
+    "Escape",
     "Impact",
     "InputError",
     "LeaveOut",
@@ -121,6 +130,7 @@ __all__ = [
     "Stats",
     "SupersetEdge",
     "cast",
+    "contacts",
     "distance",
     "entrance_block",
     "entrance_region",
@@ -134,6 +144,7 @@ __all__ = [
     "no_fit_polygon_many",
     "no_fit_region",
     "no_fit_region_many",
+    "penetration",
     "relation",
     "superset",
 ]

@@ -49,7 +49,10 @@ class Contact(NamedTuple):
     b: int
     """The same of B."""
     gap: float
-    """The distance between the features, correctly rounded."""
+    """The distance between the features, correctly rounded.
+
+    Negative for a vertex that is on the inner side of the edge.
+    """
     normal: tuple[float, float]
     """A unit vector, each coordinate within 1 ulp.
 
@@ -74,6 +77,24 @@ class Separation(NamedTuple):
 
     Of several, the one with the smallest kind, then a, then b.
     """
+
+
+class Escape(NamedTuple):
+    """The shortest way out of an overlap."""
+
+    depth: float
+    """The length of the way, correctly rounded; 0 where they do not overlap."""
+    translation: tuple[float, float]
+    """The way itself, rounded to nearest. Of several ways, the lexicographically smallest."""
+    position: tuple[float, float]
+    """A translation of B in floats within 2 ulps of the exact end, where it does not overlap A.
+
+    The nearest one to the exact end where there is no such translation.
+    """
+    relation: Relation
+    """How they lie at the position, exactly."""
+    contact: Optional[Contact]
+    """What they touch with at the end of the way; None where they do not overlap."""
 
 
 class Impact(NamedTuple):
@@ -115,6 +136,7 @@ def dtype_of(kind: Any) -> numpy.dtype[Any]:
 DTYPES = {
     "CONTACT_DTYPE": _structs.Contact,
     "SEPARATION_DTYPE": _structs.Separation,
+    "ESCAPE_DTYPE": _structs.Escape,
     "IMPACT_DTYPE": _structs.Impact,
 }
 """The structs by the public names of their dtypes."""
@@ -149,6 +171,13 @@ def _separation(of: _structs.Separation) -> Separation:
     return Separation(of.distance, Relation(of.relation), _contact_or_none(of.nearest))
 
 
+def _escape(of: _structs.Escape) -> Escape:
+    return Escape(
+        *(of.depth, _point(of.translation), _point(of.position), Relation(of.relation)),
+        _contact_or_none(of.contact),
+    )
+
+
 def _impact(of: _structs.Impact) -> Impact:
     return Impact(
         *(of.hit != 0, Relation(of.relation), of.time, _point(of.position)),
@@ -165,5 +194,6 @@ _RECORDS: dict[Any, Callable[[Any], Any]] = {
     c_int8: Relation,
     _structs.Contact: contact,
     _structs.Separation: _separation,
+    _structs.Escape: _escape,
     _structs.Impact: _impact,
 }

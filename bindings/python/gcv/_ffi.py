@@ -65,6 +65,7 @@ _NEW_IN_0_2 = {
     "gcv_contacts",
     "gcv_contact_list_destroy",
     "gcv_contact_list_contacts",
+    "gcv_contact_list_previous",
 }
 
 
@@ -309,6 +310,7 @@ contacts = _function(
     *("gcv_contacts", *_translations, c_double, c_double, _options, POINTER(ContactList))
 )
 contact_list_contacts = _function("gcv_contact_list_contacts", ContactList, *_buffer)
+contact_list_previous = _function("gcv_contact_list_previous", ContactList, *_buffer)
 
 superset_create = _function("gcv_superset_create", Polygon, Polygon, POINTER(Superset))
 superset_edges = _function("gcv_superset_edges", Superset, *_buffer)

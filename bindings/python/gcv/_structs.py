@@ -89,6 +89,17 @@ class Separation(Structure):
     )
 
 
+class Escape(Structure):
+    _fields_ = (
+        ("depth", c_double),
+        ("translation", Point),
+        ("position", Point),
+        ("relation", c_int32),
+        ("reserved", c_uint32),
+        ("contact", Contact),
+    )
+
+
 class Impact(Structure):
     _fields_ = (
         ("hit", c_int32),

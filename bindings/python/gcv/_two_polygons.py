@@ -10,8 +10,8 @@ from ctypes import c_int8
 from typing import Any, Callable, Optional, overload
 
 from . import _ffi, _structs
-from ._call import Progress, run
-from ._contacts import Impact, Relation, Separation, record, records
+from ._call import LeaveOut, Progress, run
+from ._contacts import Escape, Impact, Relation, Separation, record, records
 from ._coordinates import point_or_points, size
 from ._many import vertices
 from ._polygon import as_polygon
@@ -186,6 +186,58 @@ def cast(
     )
 
 
+@overload
+def penetration(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: tuple[float, float] = ...,
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+    leave_out: LeaveOut = ...,
+) -> Escape: ...
+
+
+@overload
+def penetration(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Iterable[Any],
+    *,
+    threads: int = ...,
+    progress: Optional[Progress] = ...,
+    leave_out: LeaveOut = ...,
+) -> Any: ...
+
+
+def penetration(
+    a: PolygonLike,
+    b: PolygonLike,
+    translation: Any = (0, 0),
+    *,
+    threads: int = 1,
+    progress: Optional[Progress] = None,
+    leave_out: LeaveOut = (),
+) -> Any:
+    """The shortest way out: how B is best moved on so that it does not overlap A.
+
+    One translation gives an Escape. Many give an array of n of dtype ESCAPE_DTYPE, with
+    the fields depth, translation, position, relation and contact. Without numpy that is a
+    list of Escape. Where they do not overlap, the depth is 0.
+
+    Ways into holes, and into places that one polygon fits exactly, count. leave_out:
+    "holes", "fits", or both, for ways that do not lead there.
+
+    The way is the exact one; the depth is correctly rounded, in input units. The other
+    arguments and the errors are those of distance.
+    """
+    return _answer(
+        *(_ffi.penetration, _structs.Escape, a, b),
+        {"translation": translation},
+        options=(threads, progress, leave_out),
+    )
+
+
 def _answer(
     function: Callable[..., int],
     kind: Any,
@@ -197,7 +249,7 @@ def _answer(
     """What the function gives, of that C type, for the vectors by their names.
 
     A record where each of the vectors is one; otherwise an array. The options are those of
-    run from threads on.
+    ask.
     """
     a, b = as_polygon(a, "a"), as_polygon(b, "b")
     read = {name: _read(value, name) for name, value in vectors.items()}
@@ -207,16 +259,30 @@ def _answer(
         raise ValueError(" and ".join(f"{name} has {n} pairs" for name, n in counts.items()))
     arguments = [doubles * count if is_one else doubles for doubles, is_one in read.values()]
     out = (kind * count)()
+    ask(
+        lambda known: function(a._handle, b._handle, *arguments, count, known, out),
+        *(count * (vertices(a) + vertices(b)), *options),
+    )
+    return records(out) if counts else record(out)
+
+
+def ask(
+    call: Callable[[Any], Any],
+    moved_vertices: int,
+    threads: int,
+    progress: Optional[Progress],
+    leave_out: LeaveOut = (),
+) -> None:
+    """As run does call(options); messages name the arguments as they are called here.
+
+    moved_vertices is the number of translations times that of vertices.
+    """
+    pairs = moved_vertices // _VERTICES_A_PAIR
     try:
-        run(
-            lambda known: function(a._handle, b._handle, *arguments, count, known, out),
-            *(count * (vertices(a) + vertices(b)) // _VERTICES_A_PAIR, "nearest", 0, *options),
-        )
+        run(call, pairs, "nearest", 0, threads, progress, leave_out)
     except _ffi.Error as error:
-        # Here the arguments have other names.
         reason = re.sub(r"^(translation|motion)s:", r"\1:", str(error))
         raise type(error)(error.status, reason) from None
-    return records(out) if counts else record(out)
 
 
 def _read(value: Any, name: str) -> tuple[bytes, bool]:

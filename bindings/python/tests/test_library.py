@@ -158,7 +158,10 @@ square = [(0, 0), (1, 0), (1, 1), (0, 1)]
 moves = [(3, 0), (0, 1), (0.5, 0)]
 assert gcv.relation(square, square, moves) == [gcv.APART, gcv.TOUCHING, gcv.OVERLAPPING]
 assert gcv.relation(square, square, moves)[0] is gcv.APART
-for function in (gcv.distance, lambda a, b, moves: gcv.cast(a, b, moves, (0, -0.5))):
+falls = lambda a, b, moves: gcv.cast(a, b, moves, (0, -0.5))
+contacts = gcv.contacts(square, square, (0, 1))
+assert contacts.array == list(contacts) and contacts[0].gap == 0
+for function in (gcv.distance, gcv.penetration, falls):
     answers = function(square, square, moves)
     assert answers == [function(square, square, move) for move in moves], answers
     assert function(square, square, []) == []
@@ -208,6 +211,8 @@ for call, name in [
     (lambda: gcv.relation(ring, ring), "gcv_relation"),
     (lambda: gcv.distance(ring, ring, [(0, 0)]), "gcv_distance"),
     (lambda: gcv.cast(ring, ring, (0, 0), (1, 1)), "gcv_cast"),
+    (lambda: gcv.penetration(ring, ring), "gcv_penetration"),
+    (lambda: gcv.contacts(ring, ring), "gcv_contacts"),
 ]:
     try:
         call()

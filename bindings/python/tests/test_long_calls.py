@@ -40,6 +40,7 @@ CALLS: list[Callable[[], object]] = [
     lambda: gcv.no_fit_region_many(MANY, OTHERS, threads=2),
     lambda: gcv.relation(LARGE, OTHER, MOVES),
     lambda: gcv.distance(LARGE, OTHER, MOVES, threads=2),
+    lambda: gcv.penetration(LARGE, OTHER, MOVES),
     lambda: gcv.cast(LARGE, OTHER, MOVES, (1, 0)),
 ]
 

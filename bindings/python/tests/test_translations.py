@@ -26,8 +26,8 @@ def cast_down(a: Any, b: Any, translation: Any, **options: Any) -> Any:
     return gcv.cast(a, b, translation, (0.25, -3), **options)
 
 
-QUESTIONS: list[Question] = [gcv.relation, gcv.distance, cast_down]
-DTYPES = [np.dtype(np.int8), gcv.SEPARATION_DTYPE, gcv.IMPACT_DTYPE]
+QUESTIONS: list[Question] = [gcv.relation, gcv.distance, gcv.penetration, cast_down]
+DTYPES = [np.dtype(np.int8), gcv.SEPARATION_DTYPE, gcv.ESCAPE_DTYPE, gcv.IMPACT_DTYPE]
 MOVES = [(5.0, 5.0), (1.5, 1.5), (11.0, 3.0), (-7.0, 12.0), (30.5, 1.0)]
 
 
@@ -42,10 +42,12 @@ def as_record(answer: Any) -> Any:
     relation = gcv.Relation(answer["relation"])
     if answer.dtype == gcv.SEPARATION_DTYPE:
         return gcv.Separation(answer["distance"].item(), relation, as_contact(answer["nearest"]))
+    position, contact = tuple(answer["position"].tolist()), as_contact(answer["contact"])
+    if answer.dtype == gcv.ESCAPE_DTYPE:
+        way = tuple(answer["translation"].tolist())
+        return gcv.Escape(answer["depth"].item(), way, position, relation, contact)
     assert answer.dtype == gcv.IMPACT_DTYPE
-    x, y = answer["position"].tolist()
-    hit, contact = bool(answer["hit"]), as_contact(answer["contact"])
-    return gcv.Impact(hit, relation, answer["time"].item(), (x, y), contact)
+    return gcv.Impact(bool(answer["hit"]), relation, answer["time"].item(), position, contact)
 
 
 def as_contact(contact: Any) -> Any:

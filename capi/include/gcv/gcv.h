@@ -1213,7 +1213,8 @@ typedef struct gcv_contact {
   uint32_t reserved;
   /** 0. */
   uint64_t id_a, id_b;
-  /** The distance between the features, correctly rounded. */
+  /** The distance between the features, correctly rounded; in lists negative where the vertex is
+   *  on the solid side of the edge. */
   double gap;
   /** A unit vector, each coordinate within 1 ulp: the normal of the edge, towards B; for two
    *  vertices the direction from that of A to that of B, or 0 0 where they coincide. */
@@ -1308,6 +1309,116 @@ GCV_API GCV_NODISCARD gcv_status gcv_cast(const gcv_polygon *a, const gcv_polygo
                                           const double *translations, const double *motions,
                                           size_t count, const gcv_options *options,
                                           gcv_impact *out);
+
+/** A way out of an overlap. @since 0.2 */
+typedef struct gcv_escape {
+  /** The length of the shortest way out, correctly rounded; 0 where they do not overlap. */
+  double depth;
+  /** The shortest vector v such that B + t + v does not overlap A, each coordinate correctly
+   *  rounded; of several, the lexicographically smallest. */
+  double translation[2];
+  /** A translation of doubles within 2 ulps of t + v, at which B does not overlap A, if there is
+   *  one; else the nearest one. */
+  double position[2];
+  /** GCV_APART, GCV_TOUCHING or GCV_OVERLAPPING, at `position`: exact. */
+  int32_t relation;
+  /** 0. */
+  uint32_t reserved;
+  /** The contact at t + v, with gap 0, an edge and a vertex; of several that gcv_contacts gives
+   *  there, the smallest kind, then a, then b. All 0 where they do not overlap. */
+  gcv_contact contact;
+} gcv_escape;
+
+/**
+ * The nearest translation at which B does not overlap A, for B that overlaps it at t.
+ *
+ * It may lead into a hole of A, or to an exact fit, where B cannot move further. With
+ * options.leave_out the way leads out of what the region without them is: without holes it ends on
+ * the outer ring or in a fit, without fits in the closure of a face. Where B does not overlap A at
+ * t, the depth is 0 all the same.
+ *
+ * @param a             the polygon A.
+ * @param b             the polygon B; the same handle may be given twice.
+ * @param translations  of B: x0 y0 x1 y1 ..., finite.
+ * @param count         the number of translations.
+ * @param options       threads, progress and leave_out; or NULL for the defaults. A tolerance is
+ *                      refused.
+ * @param out           room for `count` elements.
+ * @return as gcv_distance; GCV_ERR_INVALID_ARGUMENT for a tolerance above 0.
+ * Exactness: which place is the nearest is decided exactly; depth, vector and points are correctly
+ * rounded. Cost: what is common to all translations, O((n + m) log (n + m)), once a call; then for
+ * each that overlaps about the superset edges that are no further than the depth, as far as no
+ * others cover them. Never the whole sum, but with holes left out its outer ring, once a call.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_penetration(const gcv_polygon *a, const gcv_polygon *b,
+                                                 const double *translations, size_t count,
+                                                 const gcv_options *options, gcv_escape *out);
+
+/** A list of contacts. Opaque, immutable. */
+typedef struct gcv_contact_list gcv_contact_list;
+
+/**
+ * The contacts of A and B + t within a distance: those of Definition 1, which touch or would once B
+ * were moved along the normal, covered or not.
+ *
+ * An edge and a vertex: the vertex is convex, and neither of its edges leads to the solid side of
+ * the edge. Two vertices: both are convex, and one of them is such a vertex for an edge of the
+ * other. The gap of an edge and a vertex is the distance of the vertex from the edge, its ends
+ * included; it is negative where the vertex lies on the solid side of the line of the edge. Of two
+ * vertices it is their distance. Where two parallel edges face each other, these are the ends of
+ * what they have in common.
+ *
+ * With a slope s contacts are given too that a turn of one polygon by an angle of at most atan(s)
+ * would admit: an edge of the vertex is off the other edge by no more. So faces that are parallel
+ * but for rounding keep both their contacts.
+ *
+ * @param a         the polygon A.
+ * @param b         the polygon B; the same handle may be given twice.
+ * @param t         the translation of B, finite.
+ * @param distance  contacts whose |gap| is at most this are given: finite, not negative.
+ * @param slope     finite, not negative; 0 for the contacts of Definition 1 alone.
+ * @param options   progress, which counts pairs of edges near each other; or NULL.
+ * @param out       the new list, the caller's.
+ * @return as gcv_distance; GCV_ERR_INVALID_ARGUMENT for a negative distance or slope.
+ * Exactness: which contacts there are, and the sign of each gap, is exact; gaps and points are
+ * correctly rounded. Cost: as gcv_distance, and the pairs of edges within the distance.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_contacts(const gcv_polygon *a, const gcv_polygon *b,
+                                              const double t[2], double distance, double slope,
+                                              const gcv_options *options, gcv_contact_list **out);
+
+/** Ends a list of contacts. NULL is allowed. @since 0.2 */
+GCV_API void gcv_contact_list_destroy(gcv_contact_list *list);
+
+/**
+ * The contacts of a list: by |gap|, then by ids, kind, a, b. No two of them have the same ids, kind,
+ * a and b.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of contacts.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_contact_list_contacts(const gcv_contact_list *list,
+                                                           gcv_contact *out, size_t capacity,
+                                                           size_t *required);
+
+/**
+ * The index of each contact in the earlier list that its list was computed with. It is UINT64_MAX
+ * for a contact that was not there, so for all contacts of gcv_contacts, which takes no list.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of contacts.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_contact_list_previous(const gcv_contact_list *list,
+                                                           uint64_t *out, size_t capacity,
+                                                           size_t *required);
 
 /* --------------------------------------------------------------- superset -- */
 

@@ -3,7 +3,7 @@
 
 //! Questions about two polygons: how they lie, how far apart they are, when they meet.
 
-use crate::{gcv_options, gcv_polygon, gcv_status};
+use crate::{gcv_options, gcv_polygon, gcv_status, Opaque};
 
 pub const GCV_APART: i8 = 1;
 pub const GCV_TOUCHING: i8 = 0;
@@ -39,12 +39,29 @@ pub struct gcv_separation {
 
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct gcv_escape {
+    pub depth: f64,
+    pub translation: [f64; 2],
+    pub position: [f64; 2],
+    pub relation: i32,
+    pub reserved: u32,
+    pub contact: gcv_contact,
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct gcv_impact {
     pub hit: i32,
     pub relation: i32,
     pub time: f64,
     pub position: [f64; 2],
     pub contact: gcv_contact,
+}
+
+#[repr(C)]
+pub struct gcv_contact_list {
+    data: [u8; 0],
+    marker: Opaque,
 }
 
 extern "C" {
@@ -72,5 +89,35 @@ extern "C" {
         count: usize,
         options: *const gcv_options,
         out: *mut gcv_impact,
+    ) -> gcv_status;
+    pub fn gcv_penetration(
+        a: *const gcv_polygon,
+        b: *const gcv_polygon,
+        translations: *const f64,
+        count: usize,
+        options: *const gcv_options,
+        out: *mut gcv_escape,
+    ) -> gcv_status;
+    pub fn gcv_contacts(
+        a: *const gcv_polygon,
+        b: *const gcv_polygon,
+        t: *const f64,
+        distance: f64,
+        slope: f64,
+        options: *const gcv_options,
+        out: *mut *mut gcv_contact_list,
+    ) -> gcv_status;
+    pub fn gcv_contact_list_destroy(list: *mut gcv_contact_list);
+    pub fn gcv_contact_list_contacts(
+        list: *const gcv_contact_list,
+        out: *mut gcv_contact,
+        capacity: usize,
+        required: *mut usize,
+    ) -> gcv_status;
+    pub fn gcv_contact_list_previous(
+        list: *const gcv_contact_list,
+        out: *mut u64,
+        capacity: usize,
+        required: *mut usize,
     ) -> gcv_status;
 }

@@ -72,6 +72,7 @@ fn layouts() {
     layout!(c, gcv_region_part: kind polygon vertex_count);
     layout!(c, gcv_contact: kind a b reserved id_a id_b gap normal on_a on_b);
     layout!(c, gcv_separation: distance relation reserved nearest);
+    layout!(c, gcv_escape: depth translation position relation reserved contact);
     layout!(c, gcv_impact: hit relation time position contact);
     layout!(c, gcv_superset_edge: x0 y0 x1 y1 source);
     assert!(compiles(&c));

@@ -66,6 +66,9 @@ impl Contact {
     }
 
     /// The distance between the features, correctly rounded.
+    ///
+    /// In a list of [`contacts`](crate::contacts()) it is below 0 where the polygons overlap
+    /// there. It is never below 0 for two vertices.
     pub fn gap(&self) -> f64 {
         self.0.gap
     }

@@ -26,6 +26,10 @@ impl Made for sys::gcv_region {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_region_destroy;
 }
 
+impl Made for sys::gcv_contact_list {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_contact_list_destroy;
+}
+
 impl Made for sys::gcv_superset {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_superset_destroy;
 }

@@ -33,6 +33,7 @@
 mod call;
 mod cast;
 mod contact;
+mod contacts;
 mod distance;
 mod error;
 #[cfg(feature = "num-rational")]
@@ -44,6 +45,7 @@ mod location;
 mod options;
 mod outer_face;
 mod part;
+mod penetration;
 mod point;
 mod polygon;
 mod region;
@@ -56,12 +58,14 @@ mod translations;
 
 pub use cast::{cast, cast_into, cast_many, Impact};
 pub use contact::{Contact, ContactKind};
+pub use contacts::{contacts, ContactList};
 pub use distance::{distance, distance_into, distance_many, Separation};
 pub use error::{status, Error, ErrorKind};
 pub use location::Location;
 pub use options::{Options, Rounding};
 pub use outer_face::OuterFace;
 pub use part::{Part, PartKind};
+pub use penetration::{penetration, penetration_into, penetration_many, Escape};
 pub use point::Point;
 pub use polygon::Polygon;
 pub use region::Region;

@@ -4,8 +4,10 @@
 //! Questions about two polygons; here what the tests of several subjects need.
 
 mod cast;
+mod contacts;
 mod distance;
 mod options;
+mod penetration;
 mod properties;
 mod relation;
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What questions about two polygons take and give: vectors and contacts.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "contact.hpp"
+#include "error.hpp"
+#include "gcv/gcv.h"
+#include "point.hpp"
+
+namespace gcv::capi {
+
+// `count` vectors of the caller: x0 y0 x1 y1 ...
+class Vectors {
+ public:
+  // Throws Error: not_finite, with the name and the number of the vector.
+  Vectors(const double* xy, std::size_t count, const char* name) : xy_(xy) {
+    for (std::size_t k = 0; k < count; ++k) {
+      const Point p = (*this)[k];
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+        throw Error(Status::not_finite, "%s: number %zu is (%g, %g), not finite", name, k, p.x,
+                    p.y);
+      }
+    }
+  }
+  // With 0 in place of -0.
+  Point operator[](std::size_t k) const { return {xy_[2 * k] + 0.0, xy_[2 * k + 1] + 0.0}; }
+
+ private:
+  const double* xy_;
+};
+
+inline gcv_contact public_contact(const Contact& contact) {
+  const auto& [kind, a, b, gap, normal, on_a, on_b] = contact;
+  return {static_cast<std::int32_t>(kind),
+          a,
+          b,
+          0,
+          0,
+          0,
+          gap,
+          {normal.x, normal.y},
+          {on_a.x, on_a.y},
+          {on_b.x, on_b.y}};
+}
+
+// Is a number of the contact beyond the largest double?
+inline bool is_out_of_range(const Contact& contact) {
+  for (const double x :
+       {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
+    if (!std::isfinite(x)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace gcv::capi

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "exact_point.hpp"
+
+#include <type_traits>
+
+#include "exact_numbers.hpp"
+#include "gap.hpp"
+#include "predicates.hpp"
+#include "to_double.hpp"
+
+namespace gcv {
+
+namespace {
+
+Point negated(const Point& p) { return {-p.x, -p.y}; }
+
+void include(Grid& grid, const ExactPoint& p) {
+  if (p.is_sum) {
+    grid.include(p.sum.a);
+    grid.include(p.sum.b);
+  } else {
+    grid.include(p.s);
+    grid.include(p.t);
+  }
+}
+
+// p + shift. The numbers of a sum are smaller than those of a crossing: crossing_bits() holds them.
+template <class Integer>
+HomogeneousPoint<Integer> homogeneous(const Grid& grid, const ExactPoint& p, const Point& shift) {
+  if (!p.is_sum) {
+    return crossing<Integer>(grid, p.s, p.t, shift);
+  }
+  const auto sum = [&](double a, double b, double c) {
+    return grid.integer<Integer>(a) + grid.integer<Integer>(b) + grid.integer<Integer>(c);
+  };
+  return {sum(p.sum.a.x, p.sum.b.x, shift.x), sum(p.sum.a.y, p.sum.b.y, shift.y), Integer(1)};
+}
+
+template <class Integer>
+Integer square_of_length(const HomogeneousPoint<Integer>& p) {
+  return p.x * p.x + p.y * p.y;
+}
+
+// The bits of the coordinates of crossings, and of their denominators.
+constexpr int denominator_bits(int grid_bits) { return 2 * grid_bits + 3; }
+constexpr int square_bits(int grid_bits) { return 2 * crossing_bits(grid_bits) + 1; }
+
+}  // namespace
+
+Point nearest_point(const ExactPoint& p, const Point& shift, Tally& tally) {
+  return p.is_sum ? nearest_point(p.sum, tally, shift) : nearest_crossing(p.s, p.t, tally, shift);
+}
+
+int compare_x(const ExactPoint& p, double x, Tally& tally) {
+  if (p.is_sum) {
+    return compare_sums(p.sum.a.x, p.sum.b.x, x, 0, tally);
+  }
+  const SumEdge& s = p.s.from.x != p.s.to.x ? p.s : p.t;
+  const SumEdge& t = p.s.from.x != p.s.to.x ? p.t : p.s;
+  const SumEdge upright{{{x, 0}, {0, 0}}, {0, 0}, {0, 1}, 0, 1};
+  const int order = compare_crossings(s, t, upright, tally);
+  return s.from.x < s.to.x ? order : -order;
+}
+int compare_y(const ExactPoint& p, double y, Tally& tally) {
+  if (p.is_sum) {
+    return compare_sums(p.sum.a.y, p.sum.b.y, y, 0, tally);
+  }
+  const SumEdge& s = p.s.from.y != p.s.to.y ? p.s : p.t;
+  const SumEdge& t = p.s.from.y != p.s.to.y ? p.t : p.s;
+  const SumEdge level{{{0, y}, {0, 0}}, {0, 0}, {1, 0}, 1, 0};
+  const int order = compare_crossings(s, t, level, tally);
+  return s.from.y < s.to.y ? order : -order;
+}
+
+int side(const SumEdge& s, const ExactPoint& p, Tally& tally) {
+  if (p.is_sum) {
+    return side(s, p.sum, tally);
+  }
+  const int left = turn(s.from, s.to, p.s.from, p.s.to, tally);
+  return left == 0 ? side(s, p.s.origin, tally) : left * compare_crossings(p.s, p.t, s, tally);
+}
+
+int compare_distances(const ExactPoint& p, const ExactPoint& q, const Point& from, Tally& tally) {
+  Grid grid{from};
+  include(grid, p);
+  include(grid, q);
+  const int bits = square_bits(grid.bits()) + 2 * denominator_bits(grid.bits()) + 1;
+  return with_integers(bits, tally, [&]<class Integer>() {
+    const auto x = homogeneous<Integer>(grid, p, negated(from));
+    const auto y = homogeneous<Integer>(grid, q, negated(from));
+    return sign(Integer(square_of_length(x) * (y.w * y.w) - square_of_length(y) * (x.w * x.w)));
+  });
+}
+
+int compare_lexicographically(const ExactPoint& p, const ExactPoint& q, Tally& tally) {
+  Grid grid;
+  include(grid, p);
+  include(grid, q);
+  const int bits = crossing_bits(grid.bits()) + denominator_bits(grid.bits()) + 1;
+  return with_integers(bits, tally, [&]<class Integer>() {
+    const auto x = homogeneous<Integer>(grid, p, {0, 0});
+    const auto y = homogeneous<Integer>(grid, q, {0, 0});
+    const int by_x = sign(Integer(x.x * y.w - y.x * x.w));
+    return by_x != 0 ? by_x : sign(Integer(x.y * y.w - y.y * x.w));
+  });
+}
+
+double nearest_distance(const ExactPoint& p, const Point& from, Tally& tally) {
+  Grid grid{from};
+  include(grid, p);
+  return with_integers(root_bits(square_bits(grid.bits())), tally, [&]<class Integer>() {
+    const auto x = homogeneous<Integer>(grid, p, negated(from));
+    if constexpr (std::is_same_v<Integer, Int128>) {
+      return nearest_root(Int256(square_of_length(x)), Int256(x.w * x.w), grid.exponent()).value;
+    } else {
+      return nearest_root(square_of_length(x), Integer(x.w * x.w), grid.exponent()).value;
+    }
+  });
+}
+
+}  // namespace gcv

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Points that need not have coordinates in doubles: compared exactly, rounded correctly.
+#pragma once
+
+#include "point.hpp"
+#include "tally.hpp"
+
+namespace gcv {
+
+// A sum of two points, or the crossing of the lines of two edges that are not parallel.
+struct ExactPoint {
+  bool is_sum;
+  SumPoint sum;
+  SumEdge s;
+  SumEdge t;
+
+  static ExactPoint of_sum(const SumPoint& sum) { return {true, sum, {}, {}}; }
+  static ExactPoint of_crossing(const SumEdge& s, const SumEdge& t) { return {false, {}, s, t}; }
+};
+
+// Each coordinate of p + shift to the nearest double, ties to even; infinite if that is not finite.
+Point nearest_point(const ExactPoint& p, const Point& shift, Tally& tally);
+
+// The sign of a coordinate minus a double.
+int compare_x(const ExactPoint& p, double x, Tally& tally);
+int compare_y(const ExactPoint& p, double y, Tally& tally);
+
+// The side of the line of s on which the point lies: 1 left, -1 right, 0 on the line.
+int side(const SumEdge& s, const ExactPoint& p, Tally& tally);
+
+// The sign of the distance of p from a point minus that of q.
+int compare_distances(const ExactPoint& p, const ExactPoint& q, const Point& from, Tally& tally);
+// -1 if p comes before q, first by x, then by y.
+int compare_lexicographically(const ExactPoint& p, const ExactPoint& q, Tally& tally);
+
+// The double nearest to the distance of p from a point, ties to even; infinite if that is not
+// finite.
+double nearest_distance(const ExactPoint& p, const Point& from, Tally& tally);
+
+}  // namespace gcv
