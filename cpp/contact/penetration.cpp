@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "box.hpp"
 #include "double_double.hpp"
 #include "error.hpp"
 #include "gap.hpp"
@@ -30,7 +31,8 @@ class NearestFree {
         from_(placed.b.translation),
         relative_(seen_from_first_vertices(operands_, from_)),
         slack_(cover.search().slack()),
-        tally_(tally) {}
+        tally_(tally),
+        reach_(distance_from_outside(operands_.relative_bounds(), relative_) + 4 * slack_) {}
 
   struct Found {
     ExactPoint point;
@@ -97,6 +99,11 @@ class NearestFree {
       return sum + (rounding_error(x, -y, first) + rounding_error(first, -z, sum));
     };
     return {rest(p.x, a.x, b.x), rest(p.y, a.y, b.y)};
+  }
+
+  // How far the nearest side of the box is. Outside of it all is free.
+  static double distance_from_outside(const Box& box, const Point& p) {
+    return std::max(0.0, std::min({p.x - box.x0, box.x1 - p.x, p.y - box.y0, box.y1 - p.y}));
   }
 
   [[nodiscard]] Interval parameters_of(const RelativeLine& line, const Place& place) const {
@@ -166,7 +173,7 @@ class NearestFree {
   const Point relative_;
   const double slack_;
   Tally& tally_;
-  double reach_ = std::numeric_limits<double>::infinity();
+  double reach_;
   std::optional<Found> found_;
 };
 
@@ -252,9 +259,10 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     show_outer_ring(ways_, nearest, tally_);
   }
   if (ways_.wanted().holes || ways_.wanted().fits) {
+    known_.clear();
     nearest_edges_.for_each(
-        nearest.relative(), nearest.reach(), [&](const PairEdge& s) { cover_.walk(s, nearest); },
-        [&] { task.advance(0); });
+        nearest.relative(), nearest.reach(), [&](const PairEdge& s) { return known_.hold(s); },
+        [&](const PairEdge& s) { cover_.walk(s, nearest); }, [&] { task.advance(0); });
   }
   if (ways_.wanted().fits) {
     cover_.visit_touches(nearest, [&](const VertexSum& sum) { return nearest.is_near(sum); });

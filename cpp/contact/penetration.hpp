@@ -10,6 +10,7 @@
 #include "exact_region.hpp"
 #include "nearest_edges.hpp"
 #include "usable_position.hpp"
+#include "walked_lines.hpp"
 
 namespace gcv {
 
@@ -48,7 +49,8 @@ class EscapeSearch {
       : ways_(ways),
         tally_(tally),
         cover_(ways.operands(), Solids::one, tally),
-        nearest_edges_(ways.operands(), cover_.search()) {}
+        nearest_edges_(ways.operands(), cover_.search()),
+        known_(ways.operands(), cover_.search().slack(), tally) {}
 
   // Of several ways out, the lexicographically smallest one. Throws Error: cancelled, internal.
   Escape find(const PlacedPair& placed, Task& task);
@@ -58,6 +60,7 @@ class EscapeSearch {
   Tally& tally_;
   EdgeCover cover_;
   NearestEdges nearest_edges_;
+  WalkedLines known_;  // superset edges that were looked at: what they have within reach is found
 };
 
 }  // namespace gcv

@@ -81,8 +81,20 @@ void NearestEdges::look_below(ChordTree::Node a, ChordTree::Node b, double limit
   });
 }
 
+NearestEdges::Nearest NearestEdges::nearest_on(const PairEdge& edge) const {
+  const Point start = operands_.relative_start(edge);
+  const auto [from, to] = operands_.source(edge);
+  const RelativeLine line{start, to.x - from.x, to.y - from.y};
+  const double x = scale_ * line.dx;
+  const double y = scale_ * line.dy;
+  const double foot =
+      (x * (scale_ * (from_.x - start.x)) + y * (scale_ * (from_.y - start.y))) / (x * x + y * y);
+  const double parameter = foot > 0 ? std::min(foot, 1.0) : 0;  // 0 if it is not a number
+  return {line, parameter, square_of_distance(line.at(parameter))};
+}
+
 void NearestEdges::add_edge(const PairEdge& edge, double limit) {
-  const double square = square_of_uncovered(edge, limit);
+  const double square = nearest_on(edge).square;
   if (!(square > limit)) {
     push({square, edge.kind, edge.i, edge.j});
   }
@@ -90,37 +102,31 @@ void NearestEdges::add_edge(const PairEdge& edge, double limit) {
 
 // Goes both ways along the edge from its point that is nearest. Parameters seen from the other end
 // are rounded so that none is left out.
-double NearestEdges::square_of_uncovered(const PairEdge& edge, double limit) {
-  if (!(search_.slack() < infinity)) {
-    return 0;
-  }
-  const Point start = operands_.relative_start(edge);
-  const Point end = operands_.relative_end(edge);
-  const auto [from, to] = operands_.source(edge);
-  const RelativeLine forwards{start, to.x - from.x, to.y - from.y};
-  const RelativeLine backwards{end, from.x - to.x, from.y - to.y};
-  const double x = scale_ * forwards.dx;
-  const double y = scale_ * forwards.dy;
-  const double foot =
-      (x * (scale_ * (from_.x - start.x)) + y * (scale_ * (from_.y - start.y))) / (x * x + y * y);
-  const double nearest = foot > 0 ? std::min(foot, 1.0) : 0;  // 0 if it is not a number
-  if (square_of_distance(forwards.at(nearest)) > limit) {
-    return infinity;
-  }
-  double square = infinity;
-  search_.begin(forwards);
-  if (const double reached = search_.reach(nearest); reached < 1) {
-    square = square_of_distance(forwards.at(reached));
-    if (reached == nearest) {
-      return square;
+void NearestEdges::look_at(const Entry& entry, double limit) {
+  Entry edge = entry;
+  edge.is_looked_at = true;
+  if (search_.slack() < infinity) {
+    const PairEdge named = operands_.named(entry.edge());
+    const auto [line, parameter, square] = nearest_on(named);
+    const RelativeLine back{operands_.relative_end(named), -line.dx, -line.dy};
+    edge.square = square_of_uncovered(line, parameter, limit);
+    if (edge.square > square) {
+      const double from = std::max(0.0, (1 - parameter) - 0x1p-50);
+      edge.square = std::min(edge.square, square_of_uncovered(back, from, limit));
     }
   }
-  search_.begin(backwards);
-  const double back = std::max(0.0, (1 - nearest) - 0x1p-50);
-  if (const double reached = search_.reach(back); reached < 1) {
-    square = std::min(square, square_of_distance(backwards.at(reached)));
+  if (!(edge.square > limit)) {
+    push(edge);
   }
-  return square;
+}
+
+double NearestEdges::square_of_uncovered(const RelativeLine& line, double from, double limit) {
+  // What is further than the limit does not matter.
+  const double length = scale_ * std::hypot(line.dx, line.dy);
+  const double until = from + (1 + 0x1p-40) * std::sqrt(limit) / length;
+  search_.begin(line);
+  const double reached = search_.reach(from, until < 1 ? until : 1);
+  return reached < 1 ? square_of_distance(line.at(reached)) : infinity;
 }
 
 }  // namespace gcv

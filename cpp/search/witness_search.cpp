@@ -181,8 +181,8 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
   });
 }
 
-double WitnessSearch::reach(double t) {
-  while (t < 1) {
+double WitnessSearch::reach(double t, double until) {
+  while (t < until) {
     const double least = std::min(1.0, t + least_progress);
     double end = cells_.reach(line_, t);
     if (end < least) {

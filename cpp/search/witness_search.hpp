@@ -26,8 +26,9 @@ class WitnessSearch {
   void begin(const RelativeLine& line);
 
   // How far from t on the line lies in the open sum: a parameter up to 1, itself in the open sum.
-  // t itself if no witness holds it, or none much more. t never goes back.
-  double reach(double t);
+  // t itself if no witness holds it, or none much more. Goes no further once it is beyond `until`.
+  // t never goes back.
+  double reach(double t, double until = 1);
 
   struct Pair {
     Index i;

@@ -22,6 +22,8 @@ class EdgeLines {
   EdgeLines(const Operands& operands, double slack, Tally& tally)
       : operands_(operands), unit_(8 * slack), tally_(tally) {}
 
+  void clear() { lines_.clear(); }
+
   // Null if it is not there.
   Value* find(const PairEdge& s) {
     const std::int64_t place = place_of(s);

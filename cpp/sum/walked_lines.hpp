@@ -18,6 +18,9 @@ class WalkedLines {
   // `slack`: how far coordinates of points in relative coordinates may be off.
   WalkedLines(const Operands& operands, double slack, Tally& tally);
 
+  // From now on none was walked.
+  void clear() { lines_.clear(); }
+
   // Do others that were walked hold the whole edge? Takes it for walked. Where no other edge has
   // its direction it does not ask.
   bool hold(const PairEdge& s);
