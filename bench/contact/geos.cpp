@@ -51,7 +51,15 @@ bool is_true(char answer) {
   return answer == 1;
 }
 
+void require(int done) {
+  if (done == 0) {
+    throw std::runtime_error("GEOS gives no distance");
+  }
+}
+
 struct Geometries {
+  Scene scene;
+  Placements placements;
   Geometry a;
   PreparedGeometry prepared;
   std::vector<Geometry> b;
@@ -65,6 +73,8 @@ Asker asker(const char* name, Question question, Tells tells, Answer answer) {
           .prepare =
               [answer](const Scene& s, const Placements& p) {
                 const auto all = std::make_shared<Geometries>();
+                all->scene = s;
+                all->placements = p;
                 all->a = to_polygon(s.a);
                 all->prepared.reset(made(GEOSPrepare_r(context(), all->a.get())));
                 all->b = moved_and_made(s, p, to_polygon);
@@ -91,16 +101,28 @@ double relation(const Geometries& all, std::size_t k) {
 
 double prepared_distance(const Geometries& all, std::size_t k) {
   double distance = 0;
-  made(GEOSPreparedDistance_r(context(), all.prepared.get(), all.b[k].get(), &distance) == 0
-           ? nullptr
-           : &distance);
+  require(GEOSPreparedDistance_r(context(), all.prepared.get(), all.b[k].get(), &distance));
   return distance;
 }
 
 double indexed_distance(const Geometries& all, std::size_t k) {
   double distance = 0;
-  made(GEOSDistanceIndexed_r(context(), all.a.get(), all.b[k].get(), &distance) == 0 ? nullptr
-                                                                                     : &distance);
+  require(GEOSDistanceIndexed_r(context(), all.a.get(), all.b[k].get(), &distance));
+  return distance;
+}
+
+// Both polygons made from doubles for each question, and B moved.
+double apart_or_not_anew(const Geometries& all, std::size_t k) {
+  const Geometry a = to_polygon(all.scene.a);
+  const Geometry b = to_polygon(rounded_at(all.scene.b, all.placements.translations[k]));
+  return is_true(GEOSIntersects_r(context(), a.get(), b.get())) ? 0 : 1;
+}
+
+double indexed_distance_anew(const Geometries& all, std::size_t k) {
+  const Geometry a = to_polygon(all.scene.a);
+  const Geometry b = to_polygon(rounded_at(all.scene.b, all.placements.translations[k]));
+  double distance = 0;
+  require(GEOSDistanceIndexed_r(context(), a.get(), b.get(), &distance));
   return distance;
 }
 
@@ -111,8 +133,12 @@ std::vector<Asker> geos_askers() {
                 relation),
           asker("GEOS prepared, intersects alone", Question::relation, Tells::apart_or_not,
                 apart_or_not),
+          asker("GEOS intersects, polygons made anew", Question::relation, Tells::apart_or_not,
+                apart_or_not_anew),
           asker("GEOS prepared distance", Question::distance, Tells::all_three, prepared_distance),
-          asker("GEOS indexed distance", Question::distance, Tells::all_three, indexed_distance)};
+          asker("GEOS indexed distance", Question::distance, Tells::all_three, indexed_distance),
+          asker("GEOS indexed distance, polygons made anew", Question::distance, Tells::all_three,
+                indexed_distance_anew)};
 }
 
 }  // namespace gcv::bench

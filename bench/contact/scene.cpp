@@ -113,7 +113,7 @@ SceneFamily coasts_of(int n, std::size_t count, int seeds) {
 }  // namespace
 
 std::vector<SceneFamily> scene_families(bool quick) {
-  std::vector<SceneFamily> families{convex_pairs(256, quick ? 1 : 4)};
+  std::vector<SceneFamily> families{convex_pairs(256, quick ? 1 : 2)};
   if (const auto directory = test::data_directory()) {
     const std::vector<Set> blocks = blocks_of_pairs(*directory);
     families.push_back(family_of(nesting(*directory, quick ? 8 : 60), "nesting parts", 256));
@@ -150,7 +150,7 @@ Situation situation(const Scene& scene, std::size_t count) {
   }
   while (motion.translations.size() < count) {
     const Point start = drawer.near();
-    const Point target = drawer.vertex();
+    const Point target = drawer.near();
     if (are_apart(a.get(), b.get(), start)) {
       motion.translations.push_back(start);
       motion.motions.push_back({2 * (target.x - start.x), 2 * (target.y - start.y)});

@@ -47,7 +47,7 @@ std::vector<SceneFamily> scene_families(bool quick);
 
 // Three kinds of placements. "contact": vertices of the no-fit region in doubles. "near": such
 // vertices, and up to 0.001 to 0.1 of the size away from each. "motion": those of the second kind
-// where the polygons are apart, with motions to other vertices and as far again.
+// where the polygons are apart, with motions to others of them and as far again.
 Situation situation(const Scene& scene, std::size_t count);
 
 }  // namespace gcv::bench

@@ -14,6 +14,7 @@ namespace gcv::bench {
 namespace {
 
 constexpr double accepted = 1e-12;
+constexpr double gross = 1e-9;
 constexpr double apart = GCV_APART;
 constexpr double overlapping = GCV_OVERLAPPING;
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -86,10 +87,9 @@ Verdict judged(const Asker& asker, const Truth& truth, const std::vector<double>
     }
     verdict.wrong += is_off(answer, exact) ? 1 : 0;
     verdict.not_nearest += answer == exact ? 0 : 1;
-    verdict.worst = std::max(verdict.worst, std::abs(answer - exact) / unit);
-    if (exact > 0) {
-      verdict.worst_relative = std::max(verdict.worst_relative, std::abs(answer - exact) / exact);
-    }
+    const double error = std::abs(answer - exact) / unit;
+    verdict.gross += error <= gross ? 0 : 1;
+    verdict.worst = std::max(verdict.worst, error);
     if (has_rounded) {
       verdict.wrong_of_rounded += is_off(answer, of_rounded) ? 1 : 0;
       verdict.not_nearest_of_rounded += answer == of_rounded ? 0 : 1;

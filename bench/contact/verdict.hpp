@@ -29,8 +29,9 @@ struct Verdict {
   // Distances that are not the nearest double to the exact one.
   std::size_t not_nearest = 0;
   std::size_t not_nearest_of_rounded = 0;
-  double worst_relative = 0;  // where the exact one is above 0
-  double worst = 0;           // distances as a part of the size, times as they are
+  // Distances as a part of the size, times as they are: more than 10^-9 off, and how far.
+  std::size_t gross = 0;
+  double worst = 0;
   double worst_of_rounded = 0;
 };
 
