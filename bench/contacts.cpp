@@ -25,9 +25,11 @@ namespace gcv::bench {
 namespace {
 
 constexpr std::size_t warming_questions = 4;
-constexpr double most_seconds_in_turns = 0.01;  // of all questions of one system
+constexpr double most_seconds_in_turns = 0.005;  // of all questions of one system
+constexpr double most_seconds_judged = 0.05;
 constexpr std::size_t fewest_in_turns = 16;
 constexpr double most_seconds_alone = 1;
+constexpr double seconds_of_turns = 0.4;
 constexpr int passes = 3;  // over single questions
 
 double seconds_of(const Ask& ask, std::size_t first, std::size_t count, double* out) {
@@ -41,7 +43,8 @@ double seconds_of(const Ask& ask, std::size_t first, std::size_t count, double* 
 struct Asked {
   Asker asker;
   Ask ask;
-  std::size_t count = 0;  // of the questions that it is asked
+  std::size_t count = 0;   // of the questions that are timed
+  std::size_t judged = 0;  // of those whose answers are judged
   std::vector<double> answers;
   bool is_in_turns = false;
   double nanoseconds = 0;  // of one question
@@ -63,6 +66,7 @@ Asked warmed_up(const Asker& asker, const Scene& scene, const Placements& placem
   if (!asked.is_in_turns) {
     asked.count = std::min(within(most_seconds_alone), fewest_in_turns);
   }
+  asked.judged = std::max(asked.count, within(most_seconds_judged));
   return asked;
 }
 
@@ -75,7 +79,7 @@ void measure(std::vector<Asked>& all) {
       ways.emplace_back([&asked] { asked.ask(0, asked.count, asked.answers.data()); });
     }
   }
-  const Turns turns(ways);
+  const Turns turns(ways, seconds_of_turns);
   for (std::size_t k = 0; k < in_turns.size(); ++k) {
     Asked& asked = *in_turns[k];
     const auto count = static_cast<double>(asked.count);
@@ -120,7 +124,10 @@ const char* name_of(Question question) {
 double finite(double x) { return std::isfinite(x) ? x : 1e300; }
 
 std::string to_json(Asked& asked, const Truth& truth, double size) {
-  const Verdict v = judged(asked.asker, truth, asked.answers, asked.count, size);
+  if (asked.judged > asked.count) {
+    asked.ask(asked.count, asked.judged - asked.count, asked.answers.data());
+  }
+  const Verdict v = judged(asked.asker, truth, asked.answers, asked.judged, size);
   std::ostringstream json;
   json.precision(6);
   json << "{\"ns\": " << asked.nanoseconds << ", \"ratio\": " << asked.ratio

@@ -152,6 +152,11 @@ def of_family(rows: list[Row], family: str) -> list[Row]:
     return [row for row in rows if row["family"] == family]
 
 
+def judged(rows: list[Row]) -> list[str]:
+    """Return the systems whose answers are told: of each, one way to ask."""
+    return [name for name in systems(rows) if name != SINGLE and "made anew" not in name]
+
+
 def wrong_cell(rows: list[Row], system: str) -> str:
     wrong, of_rounded = (share(rows, system, key) for key in ("wrong", "wrong_of_rounded"))
     return percent(wrong) + ("" if of_rounded is None else f" ({percent(of_rounded)})")
@@ -161,8 +166,7 @@ def wrong_table(rows: list[Row]) -> str:
     names = families(rows)
     lines = [
         [system, *(wrong_cell(of_family(rows, name), system) for name in names)]
-        for system in systems(rows)
-        if "made anew" not in system
+        for system in judged(rows)
     ]
     return table(["", *names], lines)
 
@@ -170,13 +174,12 @@ def wrong_table(rows: list[Row]) -> str:
 def error_table(rows: list[Row]) -> str:
     """Sum the errors of distances or times up over all families."""
     lines = []
-    for system in systems(rows):
-        if "made anew" not in system:
-            cells = [percent(share(rows, system, key)) for key in
-                     ("not_nearest", "not_nearest_of_rounded", "wrong", "wrong_of_rounded",
-                      "gross")]  # fmt: skip
-            count = sum(r["answers"] for r in results(rows, system))
-            lines.append([system, str(count), *cells, scientific(worst(rows, system))])
+    for system in judged(rows):
+        cells = [percent(share(rows, system, key)) for key in
+                 ("not_nearest", "not_nearest_of_rounded", "wrong", "wrong_of_rounded",
+                  "gross")]  # fmt: skip
+        count = sum(r["answers"] for r in results(rows, system))
+        lines.append([system, str(count), *cells, scientific(worst(rows, system))])
     head = ["", "answers", "not the nearest double", "of B as moved", "off by 10^-12 of it",
             "of B as moved", "off by 10^-9 of the size", "the worst"]  # fmt: skip
     return table(head, lines)
@@ -307,7 +310,7 @@ def draw(axes: Axes, rows: list[Row], question: str) -> None:
     axes.minorticks_off()
     axes.grid(color="#e2e2e2", linewidth=0.6, zorder=1)
     axes.set_title(rows[0]["family"], fontsize=10)
-    axes.set_xlabel(f"nanoseconds of one {question}", fontsize=9)
+    axes.set_xlabel(f"{question}: nanoseconds of one question", fontsize=9)
     axes.set_ylabel("wrong answers" if question == "relation" else "worst error / size", fontsize=9)
 
 
