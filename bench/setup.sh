@@ -47,6 +47,18 @@ provide_clipper2() {
   export PKG_CONFIG_PATH=$folder/lib/pkgconfig${PKG_CONFIG_PATH:+:$PKG_CONFIG_PATH}
 }
 
+# parry, which is in Rust, in build/parry, where cargo is there and new enough. Sets parry_library.
+provide_parry() {
+  parry_library=
+  mkdir -p build
+  if cargo build --release --locked --manifest-path bench/contact/parry/Cargo.toml \
+    --target-dir build/parry > build/parry.log 2>&1; then
+    parry_library=$PWD/build/parry/release/libparry_questions.so
+  else
+    echo "parry is left out: build/parry.log says why" >&2
+  fi
+}
+
 # build_in FOLDER CMAKE-ARGUMENT... -- TARGET...
 build_in() {
   local folder=$1 arguments=()
