@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "region_calls.hpp"
+#include "question_calls.hpp"
 
 namespace {
 
@@ -22,9 +22,9 @@ using gcv::fuzz::Options;
 using gcv::fuzz::untouched;
 using gcv::fuzz::untouched_byte;
 
-class Session : private gcv::fuzz::RegionCalls {
+class Session : private gcv::fuzz::QuestionCalls {
  public:
-  Session(const std::uint8_t* data, std::size_t size) : RegionCalls(data, size) {}
+  Session(const std::uint8_t* data, std::size_t size) : QuestionCalls(data, size) {}
 
   void run() {
     using Call = void (Session::*)();
@@ -63,7 +63,10 @@ class Session : private gcv::fuzz::RegionCalls {
                                      &Session::region_polygon,
                                      &Session::locate,
                                      &Session::region_stats,
-                                     &Session::exact_indices};
+                                     &Session::exact_indices,
+                                     &Session::relation,
+                                     &Session::distance,
+                                     &Session::cast};
     for (int steps = 0; steps < 64 && !input_.empty(); ++steps) {
       (this->*input_.one_of(calls))();
     }
