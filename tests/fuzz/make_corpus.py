@@ -186,11 +186,18 @@ def calls() -> dict[str, bytes]:
         ),
         "questions_not_finite": ready
         + b"".join(
-            bytes([call, 0, 1]) + options + bytes([1, x, 17, 1, 1]) + motions
+            bytes([call, 0, 1]) + options + bytes([1, x, y, 1, 1]) + motions
             for call, motions in (
                 (relation, b""), (distance, b""), (cast, b"\x10\x10\1"), (cast, b"\x10\2\1")
             )
-            for x in (0, 2, 16, 4)
+            for x, y in ((0, 17), (2, 17), (16, 1), (16, 2), (16, 17))
+        ),
+        "questions_overflow": polygon(2)
+        + b"".join(
+            bytes([call, 0, 0]) + options + bytes([2, 16, 16, 3, 4, 1, 1]) + motions
+            for call, motions in (
+                (relation, b""), (distance, b""), (cast, bytes([16, 16, 3, 4, 1]))
+            )
         ),
         "underflow": polygon(3) + bytes([sum_, 0, 0]) + options + made + numbers,
         "stats": ready + b"".join(bytes([stats, 0, size, 1]) for size in range(7)) + bytes(3),
@@ -275,6 +282,9 @@ def questions() -> dict[str, bytes]:
     def ring(*xy: int) -> bytes:
         return bytes([points, len(xy) // 2 - 3, *xy])
 
+    def with_hole(outer: bytes, hole: bytes) -> bytes:
+        return bytes([outer[0] | one_hole]) + outer[1:] + hole
+
     def vertex(number: int, eighths: int = 0, of_ring: int = 0) -> bytes:
         return bytes([of_ring, number, eighths])
 
@@ -308,6 +318,9 @@ def questions() -> dict[str, bytes]:
     triangle = ring(0, 0, 5, 0, 0, 5)
     far = vector(1.7e308, -1.7e308)
     corner = vertex(0)
+    around = moves(
+        *(step for x, y in ((8, 0), (8, 3), (-3, 8), (1, 1)) for step in (zero, grid_vector(x, y)))
+    )
     many = moves(
         grid_vector(-5, 1), grid_vector(9, 0), grid_vector(12, 12), grid_vector(-12, -11),
         contact(vertex(2), corner), grid_vector(-1, -1), beside(vertex(1), corner, 1, -1),
@@ -327,6 +340,25 @@ def questions() -> dict[str, bytes]:
         ),
         "exact_fit": placed(frame) + placed(bytes([rectangle, 0, 0, 4, 4]))
         + moves(grid_vector(1, 1), grid_vector(1, 1), grid_vector(-8, 1), grid_vector(9, 0)),
+        "inscribed": placed(ring(4, 0, 8, 4, 4, 8, 0, 4)) + placed(ring(0, 0, 8, 0, 8, 8, 0, 8))
+        + around,
+        "inscribed_elsewhere": placed(ring(0, 0, 6, 0, 6, 6, 0, 6))
+        + placed(ring(3, 0, 6, 3, 3, 6, 0, 3)) + around,
+        # A has two parts that meet in two points. B goes through these points, between the parts
+        # and round one of them.
+        "rings_that_hold_each_other": placed(
+            with_hole(ring(0, 0, 9, 0, 9, 4, 0, 4), ring(3, 0, 5, 2, 3, 4, 1, 2))
+        )
+        + placed(
+            with_hole(ring(0, 4, 2, 0, 9, 0, 9, 8, 2, 8), ring(1, 6, 2, 4, 1, 2, 8, 1, 8, 7))
+        )
+        + moves(
+            *(
+                step
+                for x, y in ((0, 4), (-3, 2), (2, 0), (-2, -2))
+                for step in (grid_vector(2, -2), grid_vector(x, y))
+            )
+        ),
         "exact_slot": placed(slot) + placed(bytes([rectangle, 0, 0, 1, 1]))
         + moves(grid_vector(2, 9), grid_vector(0, -9), grid_vector(2, 2), grid_vector(0, 9)),
         "all_magnitudes": placed(doubles(-1e100, 1e-300, 3, -1e-310, 5e15, 1e30), anywhere, b"\0")
@@ -356,16 +388,41 @@ def questions() -> dict[str, bytes]:
                 placed(a, on_grid | how, placement) + placed(b, on_grid | SAME_PLACEMENT) + many
             )
     dice = random.Random(3)
-    for k in range(60):
-        shapes = (points, rectangle, columns, block, block | one_hole, block | two_holes)
-        a, b = (
-            placed(
-                bytes([dice.choice(shapes) | dice.choice((0, sheared))]) + dice.randbytes(22),
-                on_grid | dice.choice((0, 0, ROTATED, SHIFTED, ULPS)),
+
+    def any_shape() -> bytes:
+        shape = dice.choice((rectangle, columns, block, points))
+        if shape == points:
+            x, y = dice.choices(range(1, 9), k=2)
+            return ring(
+                *dice.choice(((x, 0, 9, y, x, 9, 0, y), (0, 0, 9, y, x, 4), (0, y, 9, 0, x, 9)))
             )
-            for _ in "ab"
+        if shape == block and dice.random() < 0.8:
+            x, y, width, height = dice.choices(range(1, 5), k=4)
+            hole = ring(x, y, x + width, 0, x + width, y + height)
+            return bytes([block | one_hole]) + dice.choice(
+                (hole, bytes([rectangle, x, y, width, height]))
+            )
+        return bytes([shape]) + dice.randbytes(12)[: 4 if shape == rectangle else 12]
+
+    def any_point() -> bytes:
+        return vertex(dice.randrange(12), dice.choice((0, 0, 4, 3)), dice.randrange(2))
+
+    def any_vector() -> bytes:
+        kind = dice.randrange(6)
+        if kind == 0:
+            return grid_vector(dice.randrange(-12, 13), dice.randrange(-12, 13))
+        if kind == 1:
+            return near(any_point(), any_point(), *dice.choices(range(-100, 100), k=2))
+        if kind == 2:
+            return beside(any_point(), any_point(), *dice.choices((-1, 0, 1), k=2))
+        return contact(any_point(), any_point()) if kind < 5 else along(any_point(), any_point())
+
+    for k in range(120):
+        a, b = (
+            placed(body, on_grid | how, b"" if how == 0 else dice.randbytes(1))
+            for body, how in ((any_shape(), dice.choice((0, 0, ROTATED))) for _ in "ab")
         )
-        inputs[f"random_{k}"] = a + b + dice.randbytes(60)
+        inputs[f"random_{k}"] = a + b + moves(*(any_vector() for _ in range(8)))
     return inputs
 
 
