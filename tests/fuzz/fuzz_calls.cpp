@@ -210,8 +210,7 @@ class Session : private gcv::fuzz::QuestionCalls {
     Faults faults;
     const std::string whole = input_.one_of({
         "POLYGON ((0 0, 4 4, 2 3, 0 4))",
-        "POLYGON((0.1 0.2,0.7 0.1,1.3 0.4,0.9 0.6,1.1 1.7,0.6 0.7,0.2 1.1),(0.4 0.3,0.6 0.3,0.4 "
-        "0.5))",
+        "POLYGON((0.1 0.2,0.7 0.1,1.3 0.4,0.9 0.6,1.1 1.7,0.6 0.7,0.2 1.1),(0.5 0.5,1 0.4,1 0.5))",
         "POLYGON ((0 0, 1.7e308 1.7e308, 1e308 1.6e308, 0 1.7e308))",
         "POLYGON ((0 0, 2e-323 2e-323, 1e-323 1.5e-323, 0 2e-323))",
         "POLYGON ((0 0, 1 1, 1 0, 0 1))",
