@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The core, without the C interface, on the sums of tests/corpus and on what it refuses;
-// README.md there describes the format.
+// The core, without the C interface, on the sums and the questions of tests/corpus and on what it
+// refuses; README.md there describes the format.
 #include <gtest/gtest.h>
 
+#include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <map>
 #include <memory>
 #include <sstream>
 #include <string>
 
+#include "cast.hpp"
+#include "distance.hpp"
 #include "error.hpp"
 #include "minkowski_sum.hpp"
 #include "polygon.hpp"
+#include "relation.hpp"
 #include "ring_predicates.hpp"
 #include "wkt.hpp"
 
@@ -79,6 +84,86 @@ TEST(Corpus, Sums) {
     }
   }
   EXPECT_GT(tried, 40);
+}
+
+std::string text_of(double x) {
+  char text[40];
+  static_cast<void>(std::snprintf(text, sizeof text, " %.17g", x));
+  return text;
+}
+
+std::string text_of(const Point& p) { return text_of(p.x) + text_of(p.y); }
+
+std::string text_of(Relation relation) {
+  return relation == Relation::apart      ? "apart"
+         : relation == Relation::touching ? "touching"
+                                          : "overlapping";
+}
+
+std::string text_of(const Contact& contact) {
+  static constexpr const char* names[] = {" none", " edge_vertex", " vertex_edge",
+                                          " vertex_vertex"};
+  const std::string name = names[static_cast<std::size_t>(contact.kind)];
+  return contact.kind == ContactKind::none
+             ? name
+             : name + " " + std::to_string(contact.a) + " " + std::to_string(contact.b) +
+                   text_of(contact.gap) + text_of(contact.on_a) + text_of(contact.on_b);
+}
+
+// The answer as the line has it.
+std::string answer(const Polygon& a, const Polygon& b, const std::string& line) {
+  std::istringstream words(line);
+  std::string word;
+  words >> word;
+  const auto point = [&] {
+    std::string x;
+    std::string y;
+    words >> x >> y;
+    return Point{std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr)};
+  };
+  const PolygonPair pair(a, b);
+  const PlacedPair placed(pair, point());
+  Tally tally;
+  if (word == "relation") {
+    return text_of(relation(placed, tally));
+  }
+  if (word == "distance") {
+    const Separation separation = distance(placed, tally);
+    return text_of(separation.relation) + text_of(separation.distance) +
+           text_of(separation.nearest);
+  }
+  const Impact impact = cast(placed, point(), tally);
+  const std::string place =
+      line.find(" inexact") != std::string::npos
+          ? " inexact"
+          : std::string(" ") + text_of(impact.place.relation) + text_of(impact.place.position);
+  return std::string(impact.hit ? "hit" : "miss") + text_of(impact.time) + place +
+         text_of(impact.contact);
+}
+
+TEST(Corpus, Questions) {
+  std::ifstream file(GCV_CORPUS);
+  std::string line, name;
+  std::map<std::string, Polygon> polygons;
+  std::map<std::string, int> tried;
+  while (std::getline(file, line)) {
+    const std::string word = line.substr(0, line.find(' '));
+    SCOPED_TRACE(name + ": " + line);
+    const std::string ok = " GCV_OK ";
+    const std::size_t end = line.find(ok);
+    if (word == "case") {
+      name = line.substr(word.size());
+    } else if (word == "a" || word == "b") {
+      polygons.insert_or_assign(word, make_polygon(parse_polygon(line.substr(2), "a"), "a"));
+    } else if ((word == "relation" || word == "distance" || word == "cast") &&
+               end != std::string::npos) {
+      ++tried[word];
+      EXPECT_EQ(answer(polygons.at("a"), polygons.at("b"), line), line.substr(end + ok.size()));
+    }
+  }
+  for (const char* const word : {"relation", "distance", "cast"}) {
+    EXPECT_GT(tried[word], 40) << word;
+  }
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Recomputes every ring and region of the corpus in fractions, without the library.
+"""Recomputes every ring, region and answer of the corpus in fractions, without the library.
 
-truth.py FILE prints the file with the rings and regions that it finds in place of those in it.
+truth.py FILE prints the file with the rings, regions and answers that it finds in place of those
+in it.
 truth.py --check FILE prints the lines that come out otherwise than they went in, and
 fails if there are any.
 
@@ -11,7 +12,7 @@ Every edge of A moved to every vertex of B, and the reverse, lies in A + B, and 
 the boundary of A + B lies on these segments. So the ring is the boundary of the
 unbounded face of their arrangement, which is made here by cutting every segment at every
 other, and walked from its smallest vertex, always turning right as far as possible.
-regions.py says how regions are found.
+regions.py says how regions are found, questions.py how answers about two polygons are.
 """
 
 from __future__ import annotations
@@ -30,6 +31,7 @@ from arrangement import (
     plus,
     without_straight_angles,
 )
+from questions import Polygon, answer
 from regions import Solid, region
 
 
@@ -67,9 +69,6 @@ def outer_face(a: list[Point], b: list[Point]) -> list[Point]:
         back = direction(following, here)
     walk.pop()
     return without_straight_angles(walk)
-
-
-Polygon = list[list[Point]]
 
 
 def negative(polygon: Polygon) -> Polygon:
@@ -115,6 +114,10 @@ def recomputed(lines: list[str]) -> list[str]:
             else:
                 text = text_of(outer_face(first[0], second[0]))
             line = f"{found[0]} {text}"
+        asked = re.match(r"(relation|distance|cast) (.*?) GCV_", line)
+        if asked:
+            text = answer(a, b, asked[1], asked[2].split())
+            line = f"{asked[1]} {asked[2]} {text}"
         result.append(line)
     return result
 

@@ -2,7 +2,8 @@
 //
 // For every call that takes memory, and for every n: the n-th allocation fails, alone or with
 // all after it. The call says so, writes nothing, gives back what it took, and does the same
-// as ever once there is memory again. What GMP takes never fails, but must be given back too.
+// as ever once there is memory again. What GMP takes never fails, but must be given back too. No
+// threads are given, so that all allocations come in the same order.
 #include <gmp.h>
 
 #include <algorithm>
@@ -12,6 +13,8 @@
 #include <utility>
 
 #include "pairs.hpp"
+#include "questions.hpp"
+#include "refused_threads.hpp"
 
 // ------------------------------------------------------------- the program's operator new --
 
@@ -155,9 +158,11 @@ Attempt text(Call call) {
   };
 }
 
+enum class Threads { one, many };
+
 // Gives the number of allocations that the attempt takes.
 long starve(const std::string& name, const Attempt& attempt, long faults_at_once,
-            const Outcome& expected) {
+            const Outcome& expected, Threads threads) {
   for (long n = 0;; ++n) {
     const std::string where = name + ", allocation " + std::to_string(n);
     const long live_before = live;
@@ -168,9 +173,9 @@ long starve(const std::string& name, const Attempt& attempt, long faults_at_once
         check(well && outcome.transcript == expected.transcript, where, " is one too many");
         return n;
       }
-      // Who asks politely may go on without.
-      check(well ? !failed_loudly : outcome.status == GCV_ERR_NO_MEMORY, where + " gave ",
-            gcv_status_name(outcome.status));
+      // Who asks politely may go on without, and who asks for a thread.
+      check(well ? !failed_loudly || threads == Threads::many : outcome.status == GCV_ERR_NO_MEMORY,
+            where + " gave ", gcv_status_name(outcome.status));
       check(well ? outcome.transcript == expected.transcript : outcome.untouched, where,
             " gave a wrong result");
     }
@@ -180,11 +185,11 @@ long starve(const std::string& name, const Attempt& attempt, long faults_at_once
   }
 }
 
-void starve(const std::string& name, const Attempt& attempt) {
+void starve(const std::string& name, const Attempt& attempt, Threads threads = Threads::one) {
   const Outcome expected = attempt({});
   check(expected.status == GCV_OK && !expected.untouched, name, " does nothing");
-  const long allocations = starve(name, attempt, 1, expected);
-  starve(name + ", and all later ones", attempt, never, expected);
+  const long allocations = starve(name, attempt, 1, expected, threads);
+  starve(name + ", and all later ones", attempt, never, expected, threads);
   check(allocations > 0, name, " takes no memory");
   std::printf("%s: %ld allocations\n", name.c_str(), allocations);
 }
@@ -283,6 +288,41 @@ void starve_all_of(const gcv::faults::Pair& pair) {
          handle<gcv_superset>([=](gcv_superset** out) { return gcv_superset_create(a, b, out); }));
 }
 
+// The polygons are new: the call prepares them. Once it has failed, the same ones must do.
+Attempt answers(std::size_t pair_number, const gcv::faults::Question& question, std::size_t count,
+                Threads threads = Threads::one) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.threads = threads == Threads::many ? 3 : 1;
+  const auto attempt = [=](const Faults& faults, const std::string& expected) {
+    const gcv::faults::Pair pair = std::move(gcv::faults::pairs()[pair_number]);
+    const gcv::faults::Places places = gcv::faults::places_of(pair, count);
+    const std::string untouched(count * question.answer_size, '?');
+    std::string out = untouched;
+    const gcv_status status =
+        run(faults, [&] { return question.ask(pair, places, &options, out.data()); });
+    check(status == GCV_OK || gcv::faults::answers(question, pair, places, nullptr) == expected,
+          question.name, " answers otherwise once it has failed");
+    return Outcome{status, out == untouched, out};
+  };
+  const std::string expected = attempt({}, "").transcript;
+  return [=](const Faults& faults) { return attempt(faults, expected); };
+}
+
+// Few answers need no memory of their own. With many, threads are asked for.
+void starve_questions(std::size_t pair_number, const char* pair_name) {
+  constexpr std::size_t few = 6;
+  constexpr std::size_t many = 140;
+  for (const gcv::faults::Question& question : gcv::faults::questions) {
+    const std::string of = std::string(question.name) + " of " + pair_name;
+    starve(of + " in few places", answers(pair_number, question, few));
+    starve(of + " in many places", answers(pair_number, question, many));
+    gcv::faults::threads_refused = 0;
+    starve(of + " in many places on threads", answers(pair_number, question, many, Threads::many),
+           Threads::many);
+    check(gcv::faults::threads_refused > 0, of, " asks for no threads");
+  }
+}
+
 // Two holes in a square, which touch.
 constexpr double plate_xy[] = {0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 2, 1, 1, 2, 2, 1, 3, 1, 3, 2};
 constexpr std::size_t plate_sizes[] = {4, 3, 3};
@@ -353,8 +393,11 @@ int main() {
   starve_polygons();
   bool repaired = false;
   bool rational = false;
-  for (const gcv::faults::Pair& pair : gcv::faults::pairs()) {
+  const std::vector<gcv::faults::Pair> pairs = gcv::faults::pairs();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    const gcv::faults::Pair& pair = pairs[k];
     starve_all_of(pair);
+    starve_questions(k, pair.name);
     const Owner<gcv_outer_face> face = gcv::faults::made<gcv_outer_face>([&](gcv_outer_face** out) {
       return gcv_minkowski_sum(pair.a.get(), pair.b.get(), nullptr, out);
     });

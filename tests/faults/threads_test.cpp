@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "pairs.hpp"
+#include "questions.hpp"
 
 namespace {
 
@@ -73,6 +74,10 @@ std::string work(const Shared& shared, std::size_t k) {
   bytes += transcript(made<gcv_superset>([&](gcv_superset** out) {
                         return gcv_superset_create(pair.a.get(), pair.b.get(), out);
                       }).get());
+  const gcv::faults::Places places = gcv::faults::places_of(pair, 40);
+  for (const gcv::faults::Question& question : gcv::faults::questions) {
+    bytes += gcv::faults::answers(question, pair, places, nullptr);
+  }
   return bytes;
 }
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "region_calls.hpp"
+#include "question_calls.hpp"
 
 namespace {
 
@@ -22,9 +22,9 @@ using gcv::fuzz::Options;
 using gcv::fuzz::untouched;
 using gcv::fuzz::untouched_byte;
 
-class Session : private gcv::fuzz::RegionCalls {
+class Session : private gcv::fuzz::QuestionCalls {
  public:
-  Session(const std::uint8_t* data, std::size_t size) : RegionCalls(data, size) {}
+  Session(const std::uint8_t* data, std::size_t size) : QuestionCalls(data, size) {}
 
   void run() {
     using Call = void (Session::*)();
@@ -63,7 +63,10 @@ class Session : private gcv::fuzz::RegionCalls {
                                      &Session::region_polygon,
                                      &Session::locate,
                                      &Session::region_stats,
-                                     &Session::exact_indices};
+                                     &Session::exact_indices,
+                                     &Session::relation,
+                                     &Session::distance,
+                                     &Session::cast};
     for (int steps = 0; steps < 64 && !input_.empty(); ++steps) {
       (this->*input_.one_of(calls))();
     }
@@ -207,7 +210,7 @@ class Session : private gcv::fuzz::RegionCalls {
     Faults faults;
     const std::string whole = input_.one_of({
         "POLYGON ((0 0, 4 4, 2 3, 0 4))",
-        "POLYGON((0.1 0.2,0.7 0.1,1.3 0.4,0.9 0.6,1.1 1.7,0.6 0.7,0.2 1.1),(0 0,1 0,0 1))",
+        "POLYGON((0.1 0.2,0.7 0.1,1.3 0.4,0.9 0.6,1.1 1.7,0.6 0.7,0.2 1.1),(0.5 0.5,1 0.4,1 0.5))",
         "POLYGON ((0 0, 1.7e308 1.7e308, 1e308 1.6e308, 0 1.7e308))",
         "POLYGON ((0 0, 2e-323 2e-323, 1e-323 1.5e-323, 0 2e-323))",
         "POLYGON ((0 0, 1 1, 1 0, 0 1))",

@@ -9,11 +9,14 @@
 
 #include "../support/invariants.hpp"
 #include "fuzz.hpp"
+#include "placement.hpp"
 
 namespace {
 
+using gcv::fuzz::add_ulps;
 using gcv::fuzz::check;
 using gcv::fuzz::Input;
+using gcv::fuzz::Placement;
 using gcv::fuzz::succeeds;
 using gcv::invariants::is_simple;
 using gcv::invariants::Point;
@@ -78,44 +81,6 @@ std::vector<GridPoint> comb(Input& input) {
   return bottom;
 }
 
-// From the grid to doubles.
-struct Placement {
-  int eighths = 0;  // of the tangent of half the angle of a rotation
-  int exponent = 0;
-  Point shift{};
-
-  static Placement read(Input& input, bool rotated, bool scaled, bool shifted) {
-    Placement placement;
-    if (rotated) {
-      placement.eighths = input.take<std::int8_t>();
-    }
-    if (scaled) {
-      placement.exponent = input.take<std::int16_t>() % 1080;
-    }
-    if (shifted) {
-      const int exponent = placement.exponent + static_cast<int>(input.below(64));
-      placement.shift[0] = std::ldexp(input.take<std::int8_t>(), exponent);
-      placement.shift[1] = std::ldexp(input.take<std::int8_t>(), exponent);
-    }
-    return placement;
-  }
-
-  [[nodiscard]] Point operator()(const GridPoint& p) const {
-    const double t = eighths / 8.0;
-    const double cosine = (1 - t * t) / (1 + t * t);
-    const double sine = 2 * t / (1 + t * t);
-    return {std::ldexp(cosine * p.x - sine * p.y, exponent) + shift[0],
-            std::ldexp(sine * p.x + cosine * p.y, exponent) + shift[1]};
-  }
-};
-
-void add_ulps(Input& input, double& x) {
-  const int steps = input.take<std::int8_t>() / 16;
-  for (int k = 0; k < std::abs(steps); ++k) {
-    x = std::nextafter(x, steps < 0 ? -HUGE_VAL : HUGE_VAL);
-  }
-}
-
 // The first byte says how the polygon is made. `placement` is that of the polygon before,
 // and can be used again.
 Ring read_ring(Input& input, Placement& placement) {
@@ -137,7 +102,7 @@ Ring read_ring(Input& input, Placement& placement) {
                                                                : comb(input);
   Ring ring;
   for (const GridPoint& p : points) {
-    ring.push_back(placement(p));
+    ring.push_back(placement(p.x, p.y));
     if ((how & 64) != 0) {
       add_ulps(input, ring.back()[0]);
       add_ulps(input, ring.back()[1]);

@@ -8,6 +8,7 @@
 
 #include "../reference/region_reference.hpp"
 #include "fuzz.hpp"
+#include "grid_polygons.hpp"
 
 namespace {
 
@@ -20,68 +21,12 @@ using gcv::reference::Rings;
 using Handle = gcv::fuzz::Polygon;
 using Region = std::unique_ptr<gcv_region, gcv::fuzz::Destroy>;
 
-// ------------------------------------------------------------------------- decoding --
-
-constexpr std::size_t most_vertices = 6;
-constexpr std::size_t most_holes = 2;
-
-double coordinate(Input& input, std::size_t extent) {
-  return static_cast<double>(input.below(extent + 1));
-}
-
-PointVector points(Input& input, std::size_t extent) {
-  PointVector ring(3 + input.below(most_vertices - 2));
-  for (Point& p : ring) {
-    p.x = coordinate(input, extent);
-    p.y = coordinate(input, extent);
-  }
-  return ring;
-}
-
-PointVector rectangle(Input& input, std::size_t extent) {
-  const Point low{coordinate(input, extent), coordinate(input, extent)};
-  const double x = low.x + 1 + coordinate(input, extent / 2);
-  const double y = low.y + 1 + coordinate(input, extent / 2);
-  return {low, {x, low.y}, {x, y}, {low.x, y}};
-}
-
-// Columns of all heights on one base.
-PointVector comb(Input& input, std::size_t extent) {
-  PointVector ring{{0, 0}};
-  double x = 0;
-  for (std::size_t columns = 1 + input.below(5); columns > 0; --columns) {
-    const double height = 1 + coordinate(input, extent);
-    ring.push_back({x, height});
-    x += 1 + coordinate(input, 2);
-    ring.push_back({x, height});
-  }
-  ring.push_back({x, 0});
-  return ring;
-}
-
-// Pulled out of shape a little, by a whole number: what was upright is not.
-void shear(PointVector& ring, double by) {
-  for (Point& p : ring) {
-    p.x += by * p.y;
-  }
-}
-
 Rings read_polygon(Input& input) {
-  constexpr std::size_t extent = 9;
-  const auto how = input.take<std::uint8_t>();
   Rings rings;
-  const std::size_t holes = (how >> 2U) % (most_holes + 1);
-  for (std::size_t k = 0; k <= holes; ++k) {
-    const std::size_t shape = k == 0 ? how % 4 : input.below(2);
-    rings.push_back(shape == 0   ? points(input, extent)
-                    : shape == 1 ? rectangle(input, extent)
-                    : shape == 2 ? comb(input, extent)
-                                 : PointVector{{0, 0}, {10, 0}, {10, 10}, {0, 10}});
-  }
-  if ((how & 64U) != 0) {
-    const double by = coordinate(input, 2) - 1;
-    for (PointVector& ring : rings) {
-      shear(ring, by);
+  for (const gcv::fuzz::Ring& ring : gcv::fuzz::read_grid_polygon(input)) {
+    PointVector& points = rings.emplace_back();
+    for (const auto& [x, y] : ring) {
+      points.push_back({x, y});
     }
   }
   return rings;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Writes the hand-made inputs of corpus/polygons, corpus/calls and corpus/regions: bytes."""
+"""Writes the hand-made inputs of corpus/, but for those of texts: bytes."""
 
 import random
 import struct
@@ -84,8 +84,9 @@ def calls() -> dict[str, bytes]:
         stats, destroy, constants, simplified, create_rings, create_many, disc, affine, ring,
         sum_region, no_fit_region, entrance_region, inner_fit_region, region_many, region_numbers,
         region_lists, region_texts, region_polygon, locate, region_stats, exact_indices,
-    ) = range(36)  # fmt: skip
-    all_calls = range(36)
+        relation, distance, cast,
+    ) = range(39)  # fmt: skip
+    all_calls = range(39)
 
     def polygon(text: int, slot: int = 0) -> bytes:
         return bytes([create_wkt, text, 1, 1, slot, 1])
@@ -168,6 +169,36 @@ def calls() -> dict[str, bytes]:
         + bytes([locate, 0, 2, 16, 2, 17, 20, 1, locate, 0, 0, 0, locate, 0, 1, 16, 16, 0]),
         "region_stats": with_regions
         + b"".join(bytes([region_stats, 0, size, 1]) for size in range(9)) + bytes(3),
+        "questions": ready
+        + b"".join(
+            bytes([call, a, b]) + options + bytes([2, 20, 16, 31, 17, null, null]) + motions
+            for call, motions in (
+                (relation, b""), (distance, b""), (cast, bytes([31, 16, 18, 30, 1]))
+            )
+            for a, b in ((0, 1), (1, 0), (0, 0), (0, 2))
+            for null in (1, 16)
+        ),
+        "no_questions": ready
+        + b"".join(
+            bytes([call, 0, 1]) + options + bytes([0, null, null, null])
+            for call in (relation, distance, cast)
+            for null in (0, 1)
+        ),
+        "questions_not_finite": ready
+        + b"".join(
+            bytes([call, 0, 1]) + options + bytes([1, x, y, 1, 1]) + motions
+            for call, motions in (
+                (relation, b""), (distance, b""), (cast, b"\x10\x10\1"), (cast, b"\x10\2\1")
+            )
+            for x, y in ((0, 17), (2, 17), (16, 1), (16, 2), (16, 17))
+        ),
+        "questions_overflow": polygon(2)
+        + b"".join(
+            bytes([call, 0, 0]) + options + bytes([2, 16, 16, 3, 4, 1, 1]) + motions
+            for call, motions in (
+                (relation, b""), (distance, b""), (cast, bytes([16, 16, 3, 4, 1]))
+            )
+        ),
         "underflow": polygon(3) + bytes([sum_, 0, 0]) + options + made + numbers,
         "stats": ready + b"".join(bytes([stats, 0, size, 1]) for size in range(7)) + bytes(3),
         "indices": ready
@@ -239,7 +270,168 @@ def regions() -> dict[str, bytes]:
     return inputs
 
 
-for target, inputs in (("polygons", polygons()), ("calls", calls()), ("regions", regions())):
+def questions() -> dict[str, bytes]:
+    """Bytes as fuzz_questions.cpp reads them: two polygons, then translations and motions."""
+    anywhere, on_grid, teeth = 0, 1, 3
+    points, rectangle, columns, block = range(4)
+    one_hole, two_holes, sheared = 4, 8, 64
+
+    def placed(body: bytes, how: int = on_grid, placement: bytes = b"") -> bytes:
+        return bytes([how]) + placement + body
+
+    def ring(*xy: int) -> bytes:
+        return bytes([points, len(xy) // 2 - 3, *xy])
+
+    def with_hole(outer: bytes, hole: bytes) -> bytes:
+        return bytes([outer[0] | one_hole]) + outer[1:] + hole
+
+    def vertex(number: int, eighths: int = 0, of_ring: int = 0) -> bytes:
+        return bytes([of_ring, number, eighths])
+
+    def grid_vector(x: float, y: float) -> bytes:
+        return struct.pack("<B2b", 0, int(4 * x), int(4 * y))
+
+    def contact(of_a: bytes, of_b: bytes) -> bytes:
+        return b"\1" + of_a + of_b
+
+    def near(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
+        return b"\2" + of_a + of_b + struct.pack("2b", x, y)
+
+    def beside(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
+        return b"\3" + of_a + of_b + struct.pack("2b", 16 * x, 16 * y)
+
+    def along(start: bytes, end: bytes) -> bytes:
+        return b"\4" + start + end
+
+    def vector(x: float, y: float) -> bytes:
+        return b"\5" + doubles(x, y)
+
+    def moves(*vectors: bytes) -> bytes:
+        """Translations and motions in turn, an even number of at most eight."""
+        return bytes([len(vectors) // 2 - 1]) + b"".join(vectors)
+
+    zero = grid_vector(0, 0)
+    square = bytes([rectangle, 0, 0, 1, 1])
+    slot = bytes([columns, 2, 7, 1, 1, 1, 7, 1])
+    frame = bytes([block | one_hole, rectangle, 1, 1, 4, 4])
+    touching = bytes([block | two_holes, rectangle, 1, 1, 2, 2, rectangle, 4, 4, 2, 2])
+    triangle = ring(0, 0, 5, 0, 0, 5)
+    far = vector(1.7e308, -1.7e308)
+    corner = vertex(0)
+    around = moves(
+        *(step for x, y in ((8, 0), (8, 3), (-3, 8), (1, 1)) for step in (zero, grid_vector(x, y)))
+    )
+    many = moves(
+        grid_vector(-5, 1), grid_vector(9, 0), grid_vector(12, 12), grid_vector(-12, -11),
+        contact(vertex(2), corner), grid_vector(-1, -1), beside(vertex(1), corner, 1, -1),
+        along(corner, vertex(1)),
+    )  # fmt: skip
+    inputs = {
+        "empty": b"",
+        "refused": placed(ring(0, 0, 1, 1, 1, 0, 0, 1)) + placed(square) + moves(zero, zero),
+        "not_finite": placed(square) * 2
+        + moves(vector(float("nan"), 0), zero, zero, vector(0, float("inf")), zero, zero),
+        "overflow": placed(square) * 2 + moves(far, far, zero, far, far, vector(-1.7e308, 1.7e308)),
+        "in_hole": placed(frame) + placed(square)
+        + moves(
+            grid_vector(2, 2), grid_vector(1, 0.5), grid_vector(3, 3), zero,
+            contact(vertex(0, of_ring=1), corner), grid_vector(5, 0),
+            grid_vector(2, 2), grid_vector(20, 11),
+        ),
+        "exact_fit": placed(frame) + placed(bytes([rectangle, 0, 0, 4, 4]))
+        + moves(grid_vector(1, 1), grid_vector(1, 1), grid_vector(-8, 1), grid_vector(9, 0)),
+        "inscribed": placed(ring(4, 0, 8, 4, 4, 8, 0, 4)) + placed(ring(0, 0, 8, 0, 8, 8, 0, 8))
+        + around,
+        "inscribed_elsewhere": placed(ring(0, 0, 6, 0, 6, 6, 0, 6))
+        + placed(ring(3, 0, 6, 3, 3, 6, 0, 3)) + around,
+        # A has two parts that meet in two points. B goes through these points, between the parts
+        # and round one of them.
+        "rings_that_hold_each_other": placed(
+            with_hole(ring(0, 0, 9, 0, 9, 4, 0, 4), ring(3, 0, 5, 2, 3, 4, 1, 2))
+        )
+        + placed(
+            with_hole(ring(0, 4, 2, 0, 9, 0, 9, 8, 2, 8), ring(1, 6, 2, 4, 1, 2, 8, 1, 8, 7))
+        )
+        + moves(
+            *(
+                step
+                for x, y in ((0, 4), (-3, 2), (2, 0), (-2, -2))
+                for step in (grid_vector(2, -2), grid_vector(x, y))
+            )
+        ),
+        "exact_slot": placed(slot) + placed(bytes([rectangle, 0, 0, 1, 1]))
+        + moves(grid_vector(2, 9), grid_vector(0, -9), grid_vector(2, 2), grid_vector(0, 9)),
+        "all_magnitudes": placed(doubles(-1e100, 1e-300, 3, -1e-310, 5e15, 1e30), anywhere, b"\0")
+        + placed(doubles(0, 0, 1e-200, 1e-200, 0.1, 1e5), anywhere, b"\0")
+        + moves(contact(corner, corner), vector(1e-300, 1), vector(1e300, 1), vector(-1e300, 0)),
+        "teeth": placed(bytes([39, 8, 2, 5, 1]), teeth) + placed(bytes([29, 3, 9, 1, 4]), teeth)
+        + moves(
+            grid_vector(2, 20), grid_vector(1, -20), contact(vertex(9, 3), vertex(7)),
+            grid_vector(-7, 3), near(vertex(50), vertex(40), 3, -2), along(vertex(2), vertex(9)),
+            grid_vector(3, 9), grid_vector(9, 0.5),
+        ),
+    }  # fmt: skip
+    for name, a, b in (
+        ("squares", square, square), ("slot", slot, square), ("frames", frame, frame),
+        ("rings_that_touch", touching, touching), ("triangles", triangle, triangle),
+        ("part_beside_holes", touching, square), ("sheared", slot, square),
+    ):  # fmt: skip
+        if name == "sheared":
+            a, b = bytes([a[0] | sheared]) + a[1:] + b"\2", bytes([b[0] | sheared]) + b[1:] + b"\2"
+        inputs[name] = placed(a) + placed(b) + many
+        for place, how, placement in (
+            ("turned", ROTATED, b"\3"), ("subnormal", SCALED, struct.pack("<h", -1074)),
+            ("huge", SCALED, struct.pack("<h", 1018)), ("far_away", SHIFTED, bytes([50, 3, 251])),
+            ("tiny_and_far", SCALED | SHIFTED, struct.pack("<h", -1000) + bytes([53, 1, 1])),
+        ):  # fmt: skip
+            inputs[f"{name}_{place}"] = (
+                placed(a, on_grid | how, placement) + placed(b, on_grid | SAME_PLACEMENT) + many
+            )
+    dice = random.Random(3)
+
+    def any_shape() -> bytes:
+        shape = dice.choice((rectangle, columns, block, points))
+        if shape == points:
+            x, y = dice.choices(range(1, 9), k=2)
+            return ring(
+                *dice.choice(((x, 0, 9, y, x, 9, 0, y), (0, 0, 9, y, x, 4), (0, y, 9, 0, x, 9)))
+            )
+        if shape == block and dice.random() < 0.8:
+            x, y, width, height = dice.choices(range(1, 5), k=4)
+            hole = ring(x, y, x + width, 0, x + width, y + height)
+            return bytes([block | one_hole]) + dice.choice(
+                (hole, bytes([rectangle, x, y, width, height]))
+            )
+        return bytes([shape]) + dice.randbytes(12)[: 4 if shape == rectangle else 12]
+
+    def any_point() -> bytes:
+        return vertex(dice.randrange(12), dice.choice((0, 0, 4, 3)), dice.randrange(2))
+
+    def any_vector() -> bytes:
+        kind = dice.randrange(6)
+        if kind == 0:
+            return grid_vector(dice.randrange(-12, 13), dice.randrange(-12, 13))
+        if kind == 1:
+            return near(any_point(), any_point(), *dice.choices(range(-100, 100), k=2))
+        if kind == 2:
+            return beside(any_point(), any_point(), *dice.choices((-1, 0, 1), k=2))
+        return contact(any_point(), any_point()) if kind < 5 else along(any_point(), any_point())
+
+    for k in range(120):
+        a, b = (
+            placed(body, on_grid | how, b"" if how == 0 else dice.randbytes(1))
+            for body, how in ((any_shape(), dice.choice((0, 0, ROTATED))) for _ in "ab")
+        )
+        inputs[f"random_{k}"] = a + b + moves(*(any_vector() for _ in range(8)))
+    return inputs
+
+
+for target, inputs in (
+    ("polygons", polygons()),
+    ("calls", calls()),
+    ("questions", questions()),
+    ("regions", regions()),
+):
     (CORPUS / target).mkdir(parents=True, exist_ok=True)
     for name, data in inputs.items():
         (CORPUS / target / name).write_bytes(data)

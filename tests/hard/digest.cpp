@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Two digests for each family of the catalogue. The first is over all that the library says of its
-// sums: coordinates to the last bit, sources, bounds, in both roundings, exactly and within a
+// Three digests for each family of the catalogue. The first is over all that the library says of
+// its sums: coordinates to the last bit, sources, bounds, in both roundings, exactly and within a
 // tolerance. The second is over the regions of the same pairs, and of some made of them: exact and
 // rounded parts, sources, bounds, places of points. They are the same for every compiler and every
 // level of optimisation.
 //
 //   digest           prints them
 //   digest FILE      compares them with the ones in the file
+#include "digest.hpp"
+
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -18,29 +20,11 @@
 
 #include "catalogue.hpp"
 #include "gcv/gcv.h"
+#include "question_digest.hpp"
 #include "region_operands.hpp"
 
 namespace gcv::hard {
 namespace {
-
-// FNV-1a, 64 bits.
-class Digest {
- public:
-  void add(const void* data, std::size_t size) {
-    const auto* const bytes = static_cast<const unsigned char*>(data);
-    for (std::size_t k = 0; k < size; ++k) {
-      value_ = (value_ ^ bytes[k]) * 0x100000001b3;
-    }
-  }
-  template <class T>
-  void add(const std::vector<T>& values) {
-    add(values.data(), values.size() * sizeof(T));
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 0xcbf29ce484222325;
-};
 
 gcv_polygon* polygon(const Polygon& ring) {
   gcv_polygon* result = nullptr;
@@ -216,7 +200,7 @@ std::string all_digests() {
     for (const Family& family : theme()) {
       const Pairs pairs = family.pairs();
       text << family.name << ' ' << std::hex << digest_of(pairs) << ' ' << digest_of_regions(pairs)
-           << '\n';
+           << ' ' << digest_of_questions(pairs) << '\n';
     }
   }
   return text.str();

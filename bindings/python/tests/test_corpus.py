@@ -18,6 +18,7 @@ REGIONS = {
     "entrance_region": gcv.entrance_region,
     "inner_fit_region": gcv.inner_fit_region,
 }
+QUESTIONS = ("relation", "distance", "cast")
 PARTS = {
     gcv.PART_OUTER: "outer",
     gcv.PART_HOLE: "hole",
@@ -56,6 +57,38 @@ def parts(region: gcv.Region) -> str:
     return "; ".join(texts) or "empty"
 
 
+def numbers(*values: float) -> str:
+    return " ".join(f"{x:.17g}" for x in values)
+
+
+def contact(contact: gcv.Contact | None) -> str:
+    if contact is None:
+        return "none"
+    name = f"{contact.kind.name.lower()} {contact.a} {contact.b}"
+    return f"{name} {numbers(contact.gap, *contact.on_a, *contact.on_b)}"
+
+
+def answer(a: str, b: str, line: str) -> str:
+    """What the line asks for. No position where the exact one is no pair of floats."""
+    word, *words = line[: line.index(" GCV_")].split(" ")
+    translation = float(words[0]), float(words[1])
+    if word == "relation":
+        return gcv.relation(a, b, translation).name.lower()
+    if word == "distance":
+        distance, relation, nearest = gcv.distance(a, b, translation)
+        return f"{relation.name.lower()} {numbers(distance)} {contact(nearest)}"
+    impact = gcv.cast(a, b, translation, (float(words[2]), float(words[3])))
+    position = f"{impact.relation.name.lower()} {numbers(*impact.position)}"
+    return " ".join(
+        (
+            "hit" if impact.hit else "miss",
+            numbers(impact.time),
+            "inexact" if " inexact" in line else position,
+            contact(impact.contact),
+        )
+    )
+
+
 def outcome(a: str, b: str, line: str) -> str:
     """The status, and the ring, the region or the refused text, that the line should have."""
     word, *words = line.split(" ")
@@ -68,6 +101,8 @@ def outcome(a: str, b: str, line: str) -> str:
             return f"GCV_OK {vertices(gcv.minkowski_sum(a, b).exact)}"
         if word == "sum_region":
             return f"GCV_OK {parts(gcv.minkowski_sum_region(a, b))}"
+        if word in QUESTIONS:
+            return f"GCV_OK {answer(a, b, line)}"
         point = float(words[0]), float(words[1])
         if word in REGIONS:
             return f"GCV_OK {parts(REGIONS[word](a, b, point))}"

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
+use gcv::{cast, distance, relation, Contact, ContactKind};
 use gcv::{entrance_block, minkowski_sum, no_fit_polygon};
 use gcv::{entrance_region, inner_fit_region, minkowski_sum_region, no_fit_region};
 use gcv::{Error, Options, OuterFace, PartKind, Polygon, Region};
@@ -51,6 +52,63 @@ fn region_outcome(region: Result<Region, Error>) -> String {
         return "GCV_OK empty".into();
     }
     format!("GCV_OK {}", parts.join("; "))
+}
+
+fn word(relation: gcv::Relation) -> &'static str {
+    match relation {
+        gcv::Relation::Apart => "apart",
+        gcv::Relation::Touching => "touching",
+        gcv::Relation::Overlapping => "overlapping",
+    }
+}
+
+fn contact(contact: Option<Contact>) -> String {
+    let Some(contact) = contact else {
+        return "none".into();
+    };
+    let (name, a, b) = match contact.kind() {
+        ContactKind::EdgeVertex { edge_a, vertex_b } => ("edge_vertex", edge_a, vertex_b),
+        ContactKind::VertexEdge { vertex_a, edge_b } => ("vertex_edge", vertex_a, edge_b),
+        ContactKind::VertexVertex { vertex_a, vertex_b } => ("vertex_vertex", vertex_a, vertex_b),
+    };
+    let ([x, y], [z, w]) = (contact.on_a(), contact.on_b());
+    format!("{name} {a} {b} {} {x} {y} {z} {w}", contact.gap())
+}
+
+/// What the question asks for, without a position where the exact one is no pair of doubles.
+fn answer(a: &Polygon, b: &Polygon, key: &str, rest: &str) -> Result<String, Error> {
+    let options = Options::new();
+    let (from, rest) = point(rest);
+    Ok(match key {
+        "relation" => format!("GCV_OK {}", word(relation(a, b, from, &options)?)),
+        "distance" => {
+            let separation = distance(a, b, from, &options)?;
+            let relation = word(separation.relation());
+            let nearest = contact(separation.nearest());
+            format!("GCV_OK {relation} {} {nearest}", separation.distance())
+        }
+        _ => {
+            let impact = cast(a, b, from, point(rest).0, &options)?;
+            let hit = if impact.hit() { "hit" } else { "miss" };
+            let [x, y] = impact.position();
+            let place = if rest.contains(" inexact") {
+                "inexact".into()
+            } else {
+                format!("{} {x} {y}", word(impact.relation()))
+            };
+            let contact = contact(impact.contact());
+            format!("GCV_OK {hit} {} {place} {contact}", impact.time())
+        }
+    })
+}
+
+/// Are the words the same? A number may be written in another way.
+fn are_same(found: &str, expected: &str) -> bool {
+    let same_word = |(p, q): (&str, &str)| {
+        p == q || matches!((p.parse::<f64>(), q.parse::<f64>()), (Ok(x), Ok(y)) if x == y)
+    };
+    found.split(' ').count() == expected.split(' ').count()
+        && found.split(' ').zip(expected.split(' ')).all(same_word)
 }
 
 /// "X Y REST" as the point and the rest.
@@ -120,6 +178,16 @@ fn check(corpus: &str) {
                 let region = compute(&operands["a"], &operands["b"], point, &options);
                 (region_outcome(region), expected)
             }
+            "relation" | "distance" | "cast" => {
+                let found = answer(&operands["a"], &operands["b"], key, rest)
+                    .unwrap_or_else(|error| error.status_name());
+                let expected = &rest[rest.find("GCV_").unwrap()..];
+                assert!(
+                    are_same(&found, expected),
+                    "{name}: {key}: {found}, not {expected}"
+                );
+                continue;
+            }
             _ => panic!("{name}: what is {key}?"),
         };
         assert_eq!(found, expected, "{name}: {key}");
@@ -131,6 +199,7 @@ fn check(corpus: &str) {
         "entrance_region",
         "inner_fit_region",
     ];
-    let mut keys = keys.iter().chain(&region_keys);
+    let questions = ["relation", "distance", "cast"];
+    let mut keys = keys.iter().chain(&region_keys).chain(&questions);
     assert!(keys.all(|key| seen.contains_key(key)), "{seen:?}");
 }

@@ -1,0 +1,300 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""How two polygons lie, how far apart they are, and how far one can move: in fractions.
+
+Every pair of features is looked at. Whether interiors meet is asked as for regions. Nothing comes
+from the library.
+"""
+
+from __future__ import annotations
+
+import math
+from fractions import Fraction
+from typing import NamedTuple
+
+from arrangement import Point, Segment, cross, direction, meeting_points, plus, within
+from regions import Solid, overlap, scaled
+
+Polygon = list[list[Point]]
+
+ZERO = (Fraction(0), Fraction(0))
+EDGE_VERTEX, VERTEX_EDGE, VERTEX_VERTEX = 1, 2, 3
+KINDS = {EDGE_VERTEX: "edge_vertex", VERTEX_EDGE: "vertex_edge", VERTEX_VERTEX: "vertex_vertex"}
+RELATIONS = {1: "apart", 0: "touching", -1: "overlapping"}
+
+
+def product(u: Point, v: Point) -> Fraction:
+    return cross(ZERO, u, v)
+
+
+def dot(u: Point, v: Point) -> Fraction:
+    return u[0] * v[0] + u[1] * v[1]
+
+
+def is_on(segment: Segment, x: Point) -> bool:
+    return cross(*segment, x) == 0 and within(x, *segment)
+
+
+class Corner(NamedTuple):
+    """A vertex, and the edge that begins there, which has the solid on its left."""
+
+    before: Point
+    place: Point
+    after: Point
+    vertex: int
+    edge: int
+
+
+def corners(polygon: Polygon) -> list[Corner]:
+    """Without repeated and collinear vertices, with the caller's numbers."""
+    result = []
+    first = 0
+    for ring, given in enumerate(polygon):
+        last = len(given)
+        while last > 1 and given[last - 1] == given[0]:
+            last -= 1
+        # A vertex that is repeated has its last number.
+        kept = [k for k in range(last) if k + 1 == last or given[k] != given[k + 1]]
+        places = [given[k] for k in kept]
+        vertices = [first + k for k in kept]
+        edges = list(vertices)
+        if (sum(product(p, q) for p, q in zip(places, places[1:] + places[:1])) > 0) != (ring == 0):
+            places.reverse()
+            vertices.reverse()
+            edges = edges[-2::-1] + edges[-1:]
+        turns = [
+            k
+            for k in range(len(places))
+            if cross(places[k - 1], places[k], places[(k + 1) % len(places)]) != 0
+        ]
+        for n, k in enumerate(turns):
+            before, after = places[turns[n - 1]], places[turns[(n + 1) % len(turns)]]
+            result.append(Corner(before, places[k], after, vertices[k], edges[k]))
+        first += len(given)
+    return result
+
+
+def moved(polygon: Polygon, t: Point) -> Polygon:
+    return [[plus(p, t) for p in ring] for ring in polygon]
+
+
+def relation(a: Polygon, b: Polygon) -> int:
+    if overlap(Solid(a), Solid(b)):
+        return -1
+    edges = Solid(b).edges
+    return 0 if any(meeting_points(s, t) for s in Solid(a).edges for t in edges) else 1
+
+
+class Contact(NamedTuple):
+    """Contacts are in the order of their first three numbers."""
+
+    kind: int
+    a: int
+    b: int
+    squared_gap: Fraction
+    on_a: Point
+    on_b: Point
+
+
+def nearest(a: Polygon, b: Polygon) -> Contact:
+    """The smallest of the nearest pairs of features."""
+
+    def foot(corner: Corner, p: Point) -> Point | None:
+        """The foot of the perpendicular to an edge, if it is inside."""
+        along = direction(corner.place, corner.after)
+        share = dot(direction(corner.place, p), along) / dot(along, along)
+        return plus(corner.place, scaled(along, share)) if 0 < share < 1 else None
+
+    found = []
+    for p in corners(a):
+        for q in corners(b):
+            pairs = [
+                (EDGE_VERTEX, p.edge, q.vertex, foot(p, q.place), q.place),
+                (VERTEX_EDGE, p.vertex, q.edge, p.place, foot(q, p.place)),
+                (VERTEX_VERTEX, p.vertex, q.vertex, p.place, q.place),
+            ]
+            for kind, i, j, on_a, on_b in pairs:
+                if on_a is not None and on_b is not None:
+                    way = direction(on_a, on_b)
+                    found.append(Contact(kind, i, j, dot(way, way), on_a, on_b))
+    return min(found, key=lambda contact: (contact.squared_gap, contact[:3]))
+
+
+# ----------------------------------------------------------------------------- motions --
+
+Sector = tuple[Point, Point]
+"""The directions from the first counter-clockwise to the second, without these."""
+
+
+def convex_sectors(sector: Sector) -> list[Sector]:
+    """Parts of less than a half-turn each, which make up the sector but for rays."""
+    u, v = sector
+    if product(u, v) > 0:
+        return [sector]
+    quarter = (-u[1], u[0])
+    back = (-u[0], -u[1])
+    if product(u, v) == 0:
+        return [(u, quarter), (quarter, v)]
+    return [(u, quarter), (quarter, back), (back, v)]
+
+
+def is_inside_hull(vectors: list[Point], m: Point) -> bool:
+    """Whether m is a sum of multiples of the vectors, by factors above 0, with room around it."""
+    lefts = [v for v in vectors if product(m, v) > 0]
+    rights = [v for v in vectors if product(m, v) < 0]
+    if any(product(m, v) == 0 and dot(m, v) > 0 for v in vectors):
+        return bool(lefts) and bool(rights)
+    return any(product(r, v) > 0 for r in rights for v in lefts)
+
+
+def meet_after(a: Sector, b: Sector, m: Point) -> bool:
+    """Whether points of a are points of b moved by m: m is one of a less one of b."""
+    return any(
+        is_inside_hull([*p, *((-x, -y) for x, y in q)], m)
+        for p in convex_sectors(a)
+        for q in convex_sectors(b)
+    )
+
+
+def features_at(solid: list[Corner], x: Point) -> list[tuple[bool, int, Sector]]:
+    """Whether each is a vertex, its number, and the directions into the solid there."""
+    found = []
+    for corner in solid:
+        into = (direction(x, corner.after), direction(x, corner.before))
+        along = (into[0], direction(x, corner.place))
+        if corner.place == x:
+            found.append((True, corner.vertex, into))
+        elif x != corner.after and is_on((corner.place, corner.after), x):
+            found.append((False, corner.edge, along))
+    return found
+
+
+def entered(a: Polygon, b: Polygon, motion: Point) -> Contact:
+    """The smallest contact that the motion of b enters. They touch."""
+    found = []
+    of_a, of_b = corners(a), corners(b)
+    for x in {corner.place for corner in of_a + of_b}:
+        here, there = features_at(of_a, x), features_at(of_b, x)
+        if not here or not there:
+            continue
+        assert len(here) == len(there) == 1, "rings touch where a contact is to be named"
+        (at_vertex, i, into_a), (at_other_vertex, j, into_b) = here[0], there[0]
+        if meet_after(into_a, into_b, motion):
+            kind = VERTEX_VERTEX if at_other_vertex else VERTEX_EDGE
+            found.append(Contact(kind if at_vertex else EDGE_VERTEX, i, j, Fraction(0), x, x))
+    return min(found)
+
+
+def times_of_events(a: Polygon, b: Polygon, motion: Point) -> list[Fraction]:
+    """From 0 to 1, when vertices come to edges or leave them; nothing changes in between."""
+    times = {Fraction(0), Fraction(1)}
+    for some, others, way in (
+        (a, b, motion),
+        (b, a, (-motion[0], -motion[1])),
+    ):
+        for edge in corners(some):
+            along = direction(edge.place, edge.after)
+            speed = product(along, way)
+            for corner in corners(others) if speed != 0 else []:
+                time = product(along, direction(corner.place, edge.place)) / speed
+                reached = plus(corner.place, scaled(way, time))
+                if 0 < time < 1 and within(reached, edge.place, edge.after):
+                    times.add(time)
+    return sorted(times)
+
+
+class Impact(NamedTuple):
+    hit: bool
+    time: Fraction
+    contact: Contact | None
+
+
+def impact(a: Polygon, b: Polygon, motion: Point) -> Impact:
+    if relation(a, b) < 0:
+        return Impact(True, Fraction(0), None)
+    times = times_of_events(a, b, motion)
+    for time, following in zip(times, times[1:]):
+        later = moved(b, scaled(motion, (time + following) / 2))
+        if relation(a, later) < 0:
+            here = moved(b, scaled(motion, time))
+            assert relation(a, here) == 0
+            return Impact(True, time, entered(a, here, motion))
+    return Impact(False, Fraction(1), None)
+
+
+# ------------------------------------------------------------------------------ texts --
+
+
+def nearest_double(x: Fraction) -> float:
+    """Correctly rounded; OverflowError beyond the largest double."""
+    return x.numerator / x.denominator + 0.0  # never -0
+
+
+def double_below(x: Fraction) -> float:
+    rounded = nearest_double(x)
+    return math.nextafter(rounded, -math.inf) if Fraction(rounded) > x else rounded
+
+
+def root(square: Fraction) -> float:
+    """The nearest double."""
+    # An integer of more than 120 bits, and a half where there is a rest: rounds as the root does.
+    bits = square.denominator.bit_length() - square.numerator.bit_length()
+    shift = max(0, bits // 2 + 122)
+    scaled_square = square * 4**shift
+    whole = math.isqrt(math.floor(scaled_square))
+    rest = Fraction(0) if whole**2 == scaled_square else Fraction(1, 2)
+    return nearest_double((whole + rest) / 2**shift)
+
+
+def text_of_number(x: float) -> str:
+    return f"{x:.17g}"
+
+
+def text_of_contact(contact: Contact | None) -> str:
+    if contact is None:
+        return "none"
+    numbers = [root(contact.squared_gap)]
+    numbers += [nearest_double(x) for x in (*contact.on_a, *contact.on_b)]
+    name = f"{KINDS[contact.kind]} {contact.a} {contact.b}"
+    return " ".join([name, *map(text_of_number, numbers)])
+
+
+def text_of_relation(a: Polygon, b: Polygon) -> str:
+    return RELATIONS[relation(a, b)]
+
+
+def text_of_distance(a: Polygon, b: Polygon) -> str:
+    lie = relation(a, b)
+    contact = nearest(a, b) if lie > 0 else None
+    distance = root(contact.squared_gap) if contact is not None else 0.0
+    return f"{RELATIONS[lie]} {text_of_number(distance)} {text_of_contact(contact)}"
+
+
+def text_of_cast(a: Polygon, b: Polygon, translation: Point, motion: Point) -> str:
+    """Of b before the translation."""
+    hit, time, contact = impact(a, moved(b, translation), motion)
+    exact = plus(translation, scaled(motion, time))
+    position = [nearest_double(x) for x in exact]
+    place = "inexact"
+    if [Fraction(x) for x in position] == list(exact):
+        lie = RELATIONS[relation(a, moved(b, exact))]
+        place = " ".join([lie, *map(text_of_number, position)])
+    word = "hit" if hit else "miss"
+    return f"{word} {text_of_number(double_below(time))} {place} {text_of_contact(contact)}"
+
+
+def answer(a: Polygon, b: Polygon, question: str, words: list[str]) -> str:
+    """The status, and what the question asks for, for the numbers of a translation or motion."""
+    numbers = [float(word) for word in words]
+    if not all(map(math.isfinite, numbers)):
+        return "GCV_ERR_NOT_FINITE"
+    exact = [Fraction(x) for x in numbers]
+    translation = (exact[0], exact[1])
+    try:
+        if question == "relation":
+            return f"GCV_OK {text_of_relation(a, moved(b, translation))}"
+        if question == "distance":
+            return f"GCV_OK {text_of_distance(a, moved(b, translation))}"
+        return f"GCV_OK {text_of_cast(a, b, translation, (exact[2], exact[3]))}"
+    except OverflowError:
+        return "GCV_ERR_RANGE"

@@ -1,0 +1,427 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Bytes -> two polygons with holes, on a small grid or anywhere among the doubles, with
+// translations and motions -> the questions about them. The answers must go together: with A and B
+// exchanged, for half of a motion, one by one. Those about few vertices must be right by the
+// definitions, in fractions.
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "../core/contact_agreement.hpp"
+#include "fuzz.hpp"
+#include "grid_polygons.hpp"
+#include "placement.hpp"
+
+namespace {
+
+using gcv::fuzz::add_ulps;
+using gcv::fuzz::check;
+using gcv::fuzz::Input;
+using gcv::fuzz::Placement;
+using gcv::fuzz::Point;
+using gcv::fuzz::Ring;
+using gcv::fuzz::Rings;
+using gcv::fuzz::succeeds;
+using gcv::test::Points;
+using gcv::test::text_of;
+using Handle = gcv::fuzz::Polygon;
+
+// ------------------------------------------------------------------------- decoding --
+
+// Any doubles.
+Ring any_ring(Input& input) {
+  Ring ring(3 + input.below(4));
+  for (Point& p : ring) {
+    p = input.take<Point>();
+  }
+  return ring;
+}
+
+// Many teeth: more vertices than the definitions are tried on.
+Ring long_comb(Input& input) {
+  const std::size_t teeth = 1 + input.below(40);
+  double heights[4];
+  for (double& height : heights) {
+    height = 1 + static_cast<double>(input.below(16));
+  }
+  Ring ring{{0, 0}};
+  double x = 0;
+  for (std::size_t k = 0; k < teeth; ++k) {
+    const double height = heights[k % 4];
+    ring.insert(ring.end(), {{x, height}, {x + 1, height}, {x + 1, 0.5}, {x + 2, 0.5}});
+    x += 2;
+  }
+  ring.push_back({x, 0});
+  return ring;
+}
+
+// The first byte says how the polygon is made. `placement` is that of the polygon before, and can
+// be used again.
+Rings read_polygon(Input& input, Placement& placement) {
+  enum { any, on_grid, also_on_grid, teeth };
+  const auto how = input.take<std::uint8_t>();
+  const int shape = how & 3;
+  if (shape == any) {
+    return {any_ring(input)};
+  }
+  if ((how & 4) == 0) {
+    placement = Placement::read(input, how & 8, how & 16, how & 32);
+  }
+  Rings rings = shape == teeth ? Rings{long_comb(input)} : gcv::fuzz::read_grid_polygon(input);
+  for (Ring& ring : rings) {
+    for (Point& p : ring) {
+      p = placement(p[0], p[1]);
+      if ((how & 64) != 0) {
+        add_ulps(input, p[0]);
+        add_ulps(input, p[1]);
+      }
+    }
+  }
+  return rings;
+}
+
+Point minus(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1]}; }
+
+// A vertex, or a point of an edge at an eighth of it.
+Point boundary_point(Input& input, const Rings& rings) {
+  const Ring& ring = rings[input.below(rings.size())];
+  const std::size_t k = input.below(ring.size());
+  const Point way = minus(ring[(k + 1) % ring.size()], ring[k]);
+  const double share = static_cast<double>(input.below(8)) / 8;
+  return {ring[k][0] + share * way[0], ring[k][1] + share * way[1]};
+}
+
+// To a place on the grid, to a contact but for roundings, beside one, or anywhere.
+Point read_vector(Input& input, const Rings& a, const Rings& b, int exponent) {
+  enum { on_grid, contact, near_contact, beside_contact, along_edge, anywhere };
+  const std::size_t kind = input.below(6);
+  if (kind == anywhere) {
+    return input.take<Point>();
+  }
+  if (kind == along_edge) {
+    const Point from = boundary_point(input, a);
+    return minus(boundary_point(input, a), from);
+  }
+  Point vector{0, 0};
+  if (kind != on_grid) {
+    const Point on_a = boundary_point(input, a);
+    vector = minus(on_a, boundary_point(input, b));
+  }
+  for (double& x : vector) {
+    if (kind == beside_contact) {
+      add_ulps(input, x);
+    } else if (kind != contact) {
+      x += std::ldexp(input.take<std::int8_t>(), exponent - (kind == on_grid ? 2 : 10));
+    }
+  }
+  return vector;
+}
+
+// ------------------------------------------------------------------- what is asked --
+
+struct Pair {
+  Handle a;
+  Handle b;
+  std::string text;
+};
+
+struct Motion {
+  Point translation;
+  Point way;
+
+  [[nodiscard]] std::string text() const {
+    return "\nt: " + text_of(translation) + ", motion: " + text_of(way);
+  }
+};
+
+Point negated(const Point& p) { return {0.0 - p[0], 0.0 - p[1]}; }
+
+int relation(const gcv_polygon* a, const gcv_polygon* b, const Point& t) {
+  std::int8_t out = 2;
+  succeeds("gcv_relation", gcv_relation(a, b, t.data(), 1, nullptr, &out));
+  return out;
+}
+
+// None beyond the largest double.
+std::optional<gcv_separation> distance(const gcv_polygon* a, const gcv_polygon* b, const Point& t) {
+  gcv_separation out{};
+  const gcv_status status = gcv_distance(a, b, t.data(), 1, nullptr, &out);
+  return succeeds("gcv_distance", status, {GCV_ERR_RANGE}) ? std::optional(out) : std::nullopt;
+}
+
+std::optional<gcv_impact> cast(const gcv_polygon* a, const gcv_polygon* b, const Motion& motion) {
+  gcv_impact out{};
+  const gcv_status status =
+      gcv_cast(a, b, motion.translation.data(), motion.way.data(), 1, nullptr, &out);
+  return succeeds("gcv_cast", status, {GCV_ERR_RANGE}) ? std::optional(out) : std::nullopt;
+}
+
+template <class Result>
+bool same_bytes(const Result& p, const Result& q) {
+  return std::memcmp(&p, &q, sizeof p) == 0;
+}
+
+bool is_none(const gcv_contact& contact) { return same_bytes(contact, gcv_contact{}); }
+
+// -------------------------------------------------------------- what must hold of it --
+
+void check_relation(const Pair& pair, const Point& t, const std::string& where) {
+  const int here = relation(pair.a.get(), pair.b.get(), t);
+  check(here >= GCV_OVERLAPPING && here <= GCV_APART, "no relation" + where);
+  check(here == relation(pair.b.get(), pair.a.get(), negated(t)),
+        "another relation with a and b exchanged" + where);
+}
+
+void check_distance(const Pair& pair, const Point& t, const std::string& where) {
+  const auto here = distance(pair.a.get(), pair.b.get(), t);
+  const int lie = relation(pair.a.get(), pair.b.get(), t);
+  if (!here) {
+    check(lie == GCV_APART, "a distance out of range, but no distance" + where);
+    return;
+  }
+  check(here->relation == lie, "another relation from gcv_distance" + where);
+  check(is_none(here->nearest) == (lie != GCV_APART), "a nearest contact or not?" + where);
+  check(here->distance >= 0 && here->distance == here->nearest.gap, "no distance" + where);
+  const auto exchanged = distance(pair.b.get(), pair.a.get(), negated(t));
+  check(!exchanged || exchanged->distance == here->distance,
+        "another distance with a and b exchanged" + where);
+}
+
+// Slightly more than the length of a vector, whatever was rounded.
+double length_above(const Point& v) {
+  return std::hypot(v[0], v[1]) * (1 + 0x1p-50) + 4 * std::numeric_limits<double>::denorm_min();
+}
+
+// No distance changes by more than the way between two translations.
+void check_way_between(const Pair& pair, const Point& s, const Point& t) {
+  const auto from = distance(pair.a.get(), pair.b.get(), s);
+  const auto to = distance(pair.a.get(), pair.b.get(), t);
+  if (from && to) {
+    const double way = length_above(minus(s, t));
+    check(from->distance <= (to->distance + way) * (1 + 0x1p-50) &&
+              to->distance <= (from->distance + way) * (1 + 0x1p-50),
+          "a distance that changes too much, from " + text_of(s) + " to " + text_of(t) + pair.text);
+  }
+}
+
+// Is p + q a sum of doubles without rounding?
+bool adds_exactly(double p, double q) {
+  const double sum = p + q;
+  const double part = sum - p;
+  return std::isfinite(sum) && std::isfinite(part) && (p - (sum - part)) + (q - part) == 0;
+}
+
+void check_miss(const Motion& motion, const gcv_impact& impact, const std::string& where) {
+  check(impact.time == 1 && is_none(impact.contact), "a miss that hits" + where);
+  const auto& [t, way] = motion;
+  if (adds_exactly(t[0], way[0]) && adds_exactly(t[1], way[1])) {
+    check(impact.position[0] == t[0] + way[0] && impact.position[1] == t[1] + way[1],
+          "a miss that ends elsewhere" + where);
+    check(impact.relation != GCV_OVERLAPPING, "a miss that ends in an overlap" + where);
+  }
+}
+
+void check_hit(const Pair& pair, const Motion& motion, const gcv_impact& impact,
+               const std::string& where) {
+  const bool starts_inside =
+      relation(pair.a.get(), pair.b.get(), motion.translation) == GCV_OVERLAPPING;
+  check(is_none(impact.contact) == starts_inside, "a contact or not?" + where);
+  check(!starts_inside || impact.time == 0, "an overlap at the start that comes later" + where);
+  check(impact.contact.gap == 0, "a hit with a gap" + where);
+  const auto start = distance(pair.a.get(), pair.b.get(), motion.translation);
+  if (start && impact.time >= std::numeric_limits<double>::min()) {
+    check(start->distance <= impact.time * length_above(motion.way) * (1 + 0x1p-50) +
+                                 std::numeric_limits<double>::denorm_min(),
+          "a hit before the distance is covered" + where);
+  }
+}
+
+// Half of a motion leads to the same hit at twice the time, or not so far.
+void check_half(const Pair& pair, const Motion& motion, const gcv_impact& whole,
+                const std::string& where) {
+  const Motion half{motion.translation, {motion.way[0] / 2, motion.way[1] / 2}};
+  const auto impact = half.way[0] * 2 == motion.way[0] && half.way[1] * 2 == motion.way[1]
+                          ? cast(pair.a.get(), pair.b.get(), half)
+                          : std::nullopt;
+  if (!impact) {
+    return;
+  }
+  if (whole.hit == 0 || whole.time >= 0.5) {
+    check(impact->hit == 0, "half of the motion hits" + where);
+    return;
+  }
+  gcv_impact expected = whole;
+  expected.time *= 2;
+  if (whole.time < std::numeric_limits<double>::min()) {  // was rounded more
+    expected.time = impact->time;
+  }
+  check(same_bytes(*impact, expected), "half of the motion hits elsewhere" + where);
+}
+
+void check_cast(const Pair& pair, const Motion& motion, const std::string& where) {
+  const auto impact = cast(pair.a.get(), pair.b.get(), motion);
+  if (!impact) {
+    return;
+  }
+  check(impact->time >= 0 && impact->time <= 1, "a time out of range" + where);
+  check(impact->relation ==
+            relation(pair.a.get(), pair.b.get(), {impact->position[0], impact->position[1]}),
+        "another relation at the position" + where);
+  if (impact->hit == 0) {
+    check_miss(motion, *impact, where);
+  } else {
+    check(impact->hit == 1, "neither a hit nor a miss" + where);
+    check_hit(pair, motion, *impact, where);
+  }
+  check_half(pair, motion, *impact, where);
+  const auto exchanged =
+      cast(pair.b.get(), pair.a.get(), {negated(motion.translation), negated(motion.way)});
+  check(!exchanged || (exchanged->hit == impact->hit && exchanged->time == impact->time),
+        "another impact with a and b exchanged" + where);
+}
+
+// All at once, or none.
+template <class Result, class One, class All>
+void check_all(const Pair& pair, const std::vector<Motion>& motions, One one, All all) {
+  std::vector<Result> expected;
+  for (const Motion& motion : motions) {
+    if (const auto result = one(motion)) {
+      expected.push_back(*result);
+    }
+  }
+  std::vector<Result> out(motions.size());
+  const gcv_status status = all(out.data());
+  const bool well = succeeds("a question", status, {GCV_ERR_RANGE});
+  check(well == (expected.size() == motions.size()), "all at once, or not?" + pair.text);
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    check(same_bytes(out[k], well ? expected[k] : Result{}),
+          "other answers all at once" + motions[k].text() + pair.text);
+  }
+}
+
+void check_all_at_once(const Pair& pair, const std::vector<Motion>& motions,
+                       const Points& translations, const Points& ways) {
+  const gcv_polygon* const a = pair.a.get();
+  const gcv_polygon* const b = pair.b.get();
+  const double* const t = translations.front().data();
+  const std::size_t count = translations.size();
+  check_all<gcv_separation>(
+      pair, motions, [&](const Motion& motion) { return distance(a, b, motion.translation); },
+      [&](gcv_separation* out) { return gcv_distance(a, b, t, count, nullptr, out); });
+  check_all<gcv_impact>(
+      pair, motions, [&](const Motion& motion) { return cast(a, b, motion); },
+      [&](gcv_impact* out) { return gcv_cast(a, b, t, ways.front().data(), count, nullptr, out); });
+}
+
+// By the definitions.
+void check_answers(const Rings& a, const Rings& b, const Points& translations, const Points& ways,
+                   const std::string& where) {
+  const gcv::test::ContactPair pair(a, b);
+  gcv::test::ContactCounts counts;
+  const auto expect_none = [&](const gcv::test::Messages& messages) {
+    for (const std::string& message : messages) {
+      gcv::fuzz::fail(message + where);
+    }
+  };
+  expect_none(check_relations(pair, translations, counts));
+  expect_none(check_distances(pair, translations, counts));
+  expect_none(check_casts(pair, translations, ways, counts));
+}
+
+// ------------------------------------------------------------------------- an input --
+
+std::size_t vertex_count(const Rings& rings) {
+  std::size_t count = 0;
+  for (const Ring& ring : rings) {
+    count += ring.size();
+  }
+  return count;
+}
+
+std::string text(const Rings& rings) {
+  std::string result;
+  for (const Ring& ring : rings) {
+    result += "\n  ring";
+    for (const Point& p : ring) {
+      result += ' ';
+      result += text_of(p);
+      result += ',';
+    }
+  }
+  return result;
+}
+
+// NULL where it is refused.
+Handle make(const Rings& rings) {
+  Points points;
+  std::vector<std::size_t> sizes;
+  for (const Ring& ring : rings) {
+    sizes.push_back(ring.size());
+    points.insert(points.end(), ring.begin(), ring.end());
+  }
+  gcv_polygon* polygon = nullptr;
+  succeeds("gcv_polygon_create_rings",
+           gcv_polygon_create_rings(points.front().data(), sizes.data(), sizes.size(), 0, &polygon),
+           {GCV_ERR_NOT_FINITE, GCV_ERR_DEGENERATE, GCV_ERR_NOT_SIMPLE});
+  return Handle(polygon);
+}
+
+bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }
+
+void check_refused(const Pair& pair, const Motion& motion) {
+  const auto& [t, way] = motion;
+  gcv_impact out{};
+  const gcv_status status =
+      gcv_cast(pair.a.get(), pair.b.get(), t.data(), way.data(), 1, nullptr, &out);
+  check(status == GCV_ERR_NOT_FINITE, "a motion that is not finite" + motion.text());
+}
+
+void check_case(Input& input, const Rings& a, const Rings& b, int exponent) {
+  const Pair pair{make(a), make(b), "\na:" + text(a) + "\nb:" + text(b)};
+  if (!pair.a || !pair.b) {
+    return;
+  }
+  std::vector<Motion> motions;
+  Points translations;
+  Points ways;
+  for (std::size_t count = 1 + input.below(4); count > 0; --count) {
+    const Point t = read_vector(input, a, b, exponent);
+    const Motion motion{t, read_vector(input, a, b, exponent)};
+    if (!is_finite(motion.translation) || !is_finite(motion.way)) {
+      check_refused(pair, motion);
+      continue;
+    }
+    motions.push_back(motion);
+    translations.push_back(motion.translation);
+    ways.push_back(motion.way);
+  }
+  for (const Motion& motion : motions) {
+    const std::string where = motion.text() + pair.text;
+    check_relation(pair, motion.translation, where);
+    check_distance(pair, motion.translation, where);
+    check_cast(pair, motion, where);
+    check_way_between(pair, motions.front().translation, motion.translation);
+  }
+  if (motions.empty()) {
+    return;
+  }
+  check_all_at_once(pair, motions, translations, ways);
+  constexpr std::size_t most_pairs_of_vertices = 150;
+  if (vertex_count(a) * vertex_count(b) <= most_pairs_of_vertices) {
+    check_answers(a, b, translations, ways, pair.text);
+  }
+}
+
+}  // namespace
+
+int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  Input input(data, size);
+  Placement placement;
+  const Rings a = read_polygon(input, placement);
+  const Rings b = read_polygon(input, placement);
+  check_case(input, a, b, placement.exponent);
+  return 0;
+}

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Calls of the questions about two polygons.
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "region_calls.hpp"
+
+namespace gcv::fuzz {
+
+class QuestionCalls : protected RegionCalls {
+ protected:
+  using RegionCalls::RegionCalls;
+
+  void relation() {
+    ask<std::int8_t>("gcv_relation", {}, [](const Question& q, std::int8_t* out) {
+      return gcv_relation(q.a, q.b, q.translations, q.count, q.options, out);
+    });
+  }
+
+  void distance() {
+    ask<gcv_separation>("gcv_distance", {GCV_ERR_RANGE},
+                        [](const Question& q, gcv_separation* out) {
+                          return gcv_distance(q.a, q.b, q.translations, q.count, q.options, out);
+                        });
+  }
+
+  void cast() {
+    ask<gcv_impact>("gcv_cast", {GCV_ERR_RANGE}, [this](const Question& q, gcv_impact* out) {
+      const Vectors motions(*this, q.count, *q.faults);
+      return gcv_cast(q.a, q.b, q.translations, motions.get(), q.count, q.options, out);
+    });
+  }
+
+ private:
+  struct Question {
+    const gcv_polygon* a;
+    const gcv_polygon* b;
+    const double* translations;
+    std::size_t count;
+    const gcv_options* options;
+    Faults* faults;
+  };
+
+  // Some vectors, finite or not; or NULL, which is no fault where there are none.
+  class Vectors {
+   public:
+    Vectors(QuestionCalls& calls, std::size_t count, Faults& faults) : xy_(2 * count + 1) {
+      for (std::size_t k = 0; k < 2 * count; ++k) {
+        xy_[k] = calls.number();
+        faults.add_if(!std::isfinite(xy_[k]), GCV_ERR_NOT_FINITE);
+      }
+      is_null_ = calls.input_.below(16) == 0;
+      faults.add_if(is_null_ && count > 0, GCV_ERR_NULL_ARGUMENT);
+    }
+
+    [[nodiscard]] const double* get() const { return is_null_ ? nullptr : xy_.data(); }
+
+   private:
+    std::vector<double> xy_;
+    bool is_null_;
+  };
+
+  // call(question, out) answers for every translation, or writes nothing.
+  template <class Result, class Call>
+  void ask(const char* name, Statuses others, Call call) {
+    Faults faults;
+    const gcv_polygon* const a = pick(polygons_, faults);
+    const gcv_polygon* const b = pick(polygons_, faults);
+    const Options options(input_, faults);
+    const std::size_t count = input_.below(5);
+    const Vectors translations(*this, count, faults);
+    Bytes bytes(count * sizeof(Result) + sentinels, untouched_byte);
+    Result* const out = input_.below(16) == 0 ? nullptr : reinterpret_cast<Result*>(bytes.data());
+    faults.add_if(out == nullptr && count > 0, GCV_ERR_NULL_ARGUMENT);
+    const gcv_status status =
+        call(Question{a, b, translations.get(), count, options.get(), &faults}, out);
+    const bool well = judge(name, status, faults, others);
+    const std::size_t written = well && out != nullptr ? count * sizeof(Result) : 0;
+    check(untouched(bytes, written), std::string(name) + " writes where it must not");
+  }
+};
+
+}  // namespace gcv::fuzz

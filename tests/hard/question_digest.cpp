@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "question_digest.hpp"
+
+#include <gcv/gcv.h>
+
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "digest.hpp"
+#include "region_operands.hpp"
+#include "shapes.hpp"
+
+namespace gcv::hard {
+
+namespace {
+
+using invariants::PolygonHandle;
+
+// Translations and motions from there.
+struct Places {
+  Polygon translations;
+  Polygon motions;
+};
+
+// Vertices of the no-fit region; of the no-fit polygon where there are too many superset edges.
+// None where they are beyond the largest double.
+Polygon no_fit_vertices(const gcv_polygon* a, const gcv_polygon* moving, bool is_region) {
+  const double origin[2] = {0, 0};
+  if (is_region) {
+    gcv_region* region = nullptr;
+    const gcv_status status = gcv_no_fit_region(a, moving, origin, nullptr, &region);
+    const std::unique_ptr<gcv_region, invariants::Destroy> owner(region);
+    return status == GCV_OK ? invariants::vertices(gcv_region_vertices, owner.get()) : Polygon{};
+  }
+  gcv_outer_face* face = nullptr;
+  const gcv_status status = gcv_no_fit_polygon(a, moving, origin, nullptr, &face);
+  const std::unique_ptr<gcv_outer_face, invariants::Destroy> owner(face);
+  return status == GCV_OK ? invariants::vertices(gcv_outer_face_vertices, owner.get()) : Polygon{};
+}
+
+// Some of the vertices, evenly spread: more than one thread takes at once, at most.
+Places places_at(const Polygon& vertices) {
+  constexpr std::size_t most = 150;
+  const std::size_t step = vertices.size() / most + 1;
+  Places places;
+  for (std::size_t k = 0; k < vertices.size(); k += step) {
+    places.translations.push_back(vertices[k]);
+  }
+  const std::size_t count = places.translations.size();
+  for (std::size_t k = 0; k < count; ++k) {
+    const Point& from = places.translations[k];
+    const Point& to = places.translations[(k + 1) % count];
+    const Point way{to[0] - from[0], to[1] - from[1]};
+    const bool is_finite = std::isfinite(way[0]) && std::isfinite(way[1]);
+    places.motions.push_back(is_finite ? way : Point{0, 0});
+  }
+  return places;
+}
+
+// Adds what ask(first, count, threads, out) answers, on one thread and on several. Where there is
+// no answer for all at once, each alone.
+template <class Answer, class Ask>
+void add_answers(Digest& digest, std::size_t count, Ask ask) {
+  for (const std::int32_t threads : {1, 3}) {
+    std::vector<Answer> answers(count);
+    const gcv_status status = ask(std::size_t{0}, count, threads, answers.data());
+    digest.add(&status, sizeof status);
+    for (std::size_t k = 0; status != GCV_OK && k < count; ++k) {
+      const gcv_status alone = ask(k, std::size_t{1}, threads, &answers[k]);
+      digest.add(&alone, sizeof alone);
+    }
+    digest.add(answers);
+  }
+}
+
+void add_questions(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+                   const Places& places) {
+  const std::size_t count = places.translations.size();
+  if (count == 0) {
+    return;
+  }
+  gcv_options options = GCV_OPTIONS_INIT;
+  const auto with = [&](std::int32_t threads) {
+    options.threads = threads;
+    return &options;
+  };
+  const auto from = [&](std::size_t first) { return places.translations[first].data(); };
+  add_answers<std::int8_t>(
+      digest, count,
+      [&](std::size_t first, std::size_t number, std::int32_t threads, std::int8_t* out) {
+        return gcv_relation(a, moving, from(first), number, with(threads), out);
+      });
+  add_answers<gcv_separation>(
+      digest, count,
+      [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_separation* out) {
+        return gcv_distance(a, moving, from(first), number, with(threads), out);
+      });
+  add_answers<gcv_impact>(
+      digest, count,
+      [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_impact* out) {
+        return gcv_cast(a, moving, from(first), places.motions[first].data(), number, with(threads),
+                        out);
+      });
+}
+
+}  // namespace
+
+std::uint64_t digest_of_questions(const Pairs& pairs) {
+  Pairs chosen = region_pairs(pairs, 10);
+  const bool are_small = !chosen.empty();
+  if (!are_small) {
+    chosen = {pairs.front()};
+  }
+  Digest digest;
+  for (const Pair& pair : chosen) {
+    const PolygonHandle a = invariants::make(pair.a);
+    const PolygonHandle moving = invariants::make(negated(pair.b));
+    add_questions(digest, a.get(), moving.get(),
+                  places_at(no_fit_vertices(a.get(), moving.get(), are_small)));
+  }
+  return digest.value();
+}
+
+}  // namespace gcv::hard

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "catalogue.hpp"
+
+namespace gcv::hard {
+
+// Over all answers to questions about some of the pairs, byte by byte: relations, distances, casts.
+// The second polygon is moved to vertices of the no-fit region, and from one to the next.
+std::uint64_t digest_of_questions(const Pairs& pairs);
+
+}  // namespace gcv::hard
