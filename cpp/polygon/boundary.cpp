@@ -229,6 +229,7 @@ const Boundary::CoverIndex& Boundary::cover_index() const {
 
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
   Boundary all = outer;
+  all.mirror_ = nullptr;  // it has the outer ring alone
   for (const Boundary& hole : holes) {
     all.vertices.insert(all.vertices.end(), hole.vertices.begin(), hole.vertices.end());
     all.corners.insert(all.corners.end(), hole.corners.begin(), hole.corners.end());

@@ -106,6 +106,7 @@ struct Boundary {
   Lazy<std::unique_ptr<const CoverIndex>> cover_index_;
 
   [[nodiscard]] EdgeChain relative_chain() const;
+  friend Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
 };
 
 // An outer ring and its holes as one.

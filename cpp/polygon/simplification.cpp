@@ -55,10 +55,14 @@ std::vector<Index> wrong_edges(const NewBoundary& boundary, Boundary::Kind kind)
     return wrong;
   }
   const PointVector points = points_of(boundary);
-  for (const std::size_t edge : find_conflicting_edges(points)) {
-    wrong.push_back(static_cast<Index>(edge));
+  const bool has_area = points.size() > 2;
+  if (has_area) {
+    for (const std::size_t edge : find_conflicting_edges(points)) {
+      wrong.push_back(static_cast<Index>(edge));
+    }
   }
-  if (wrong.empty() && is_counter_clockwise(points) != (kind == Boundary::Kind::outer)) {
+  if (wrong.empty() &&
+      (!has_area || is_counter_clockwise(points) != (kind == Boundary::Kind::outer))) {
     wrong.resize(boundary.size());
     std::iota(wrong.begin(), wrong.end(), Index{0});
   }

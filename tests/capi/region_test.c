@@ -368,6 +368,28 @@ static void outer_rings(void) {
   }
 }
 
+/* The reflection of a polygon with a hole, within a tolerance so small that nothing changes. */
+static void tolerance_of_a_reflection(void) {
+  static const struct rings room = {2, {4, 4}, {0, 0, 9, 0, 9, 9, 0, 9, 2, 2, 7, 2, 7, 7, 2, 7}};
+  static const double r[2] = {0, 0};
+  gcv_polygon *fixed = POLYGON(0, 0, 1, 0, 0, 1), *moving = polygon_of_rings(&room);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_region *exact = NULL, *near = NULL;
+  options.tolerance = 1e-9;
+  CHECK_OK(gcv_no_fit_region(fixed, moving, r, NULL, &exact));
+  CHECK_OK(gcv_no_fit_region(fixed, moving, r, &options, &near));
+  CHECK(area_of(exact) == 83.5 && area_of(near) == 83.5);
+  gcv_region_destroy(exact);
+  gcv_region_destroy(near);
+  CHECK_OK(gcv_entrance_region(moving, moving, r, NULL, &exact));
+  CHECK_OK(gcv_entrance_region(moving, moving, r, &options, &near));
+  CHECK(area_of(exact) == area_of(near));
+  gcv_region_destroy(exact);
+  gcv_region_destroy(near);
+  gcv_polygon_destroy(fixed);
+  gcv_polygon_destroy(moving);
+}
+
 int main(void) {
   all_readers();
   swapped();
@@ -382,5 +404,6 @@ int main(void) {
   regions_go_on();
   out_of_range();
   outer_rings();
+  tolerance_of_a_reflection();
   return check_failures != 0;
 }
