@@ -3,7 +3,8 @@
 
 docs/gallery is Fig. 9 of the paper, its nine pairs of polygons and their sums, with their
 holes; docs/superset is its Fig. 8, the superset of one of them. docs/regions shows regions,
-docs/witnesses how one is found.
+docs/witnesses how one is found. docs/relation, distance, penetration, cast and contacts show
+questions about two polygons.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import NamedTuple
 
+import gallery_contacts
 import gallery_regions
 import gallery_witnesses
 import matplotlib
@@ -219,6 +221,8 @@ def main() -> None:
     shown = [fork, *gallery_regions.examples()]
     save(gallery_regions.regions(shown), "regions", ROOT / "docs")
     save(gallery_witnesses.example(), "witnesses", ROOT / "docs")
+    for name, draw in gallery_contacts.PICTURES.items():
+        save(draw(), name, ROOT / "docs")
 
 
 if __name__ == "__main__":

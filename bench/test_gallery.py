@@ -12,6 +12,7 @@ from random import Random
 from xml.etree import ElementTree
 
 import gallery
+import gallery_contacts
 import gallery_regions
 import gallery_style
 import gallery_witnesses
@@ -96,6 +97,42 @@ def test_many_holes() -> None:
     example = gallery_regions.no_fit("plate", plate, gcv.Polygon([(0, 0), (1, 0), (0, 1)]))
     assert gallery_regions.counts(example.region) == "1 polygon, 9 holes"
     assert gallery_regions.places(example) == []
+
+
+ANSWERS = {
+    "relation": [
+        *("APART", "B is outside", "TOUCHING", "B is at an edge", "OVERLAPPING", "B is on an edge"),
+        *("APART", "B is in a hole", "TOUCHING", "B is at the edge of a hole"),
+        *("OVERLAPPING", "B is on the edge of a hole"),
+    ],
+    "distance": [
+        *("An edge and a vertex", "distance 2.89", "Two vertices", "distance 1.58"),
+        *("In a hole", "distance 1"),
+    ],
+    "penetration": [
+        *("Out of the plate", "depth 0.75", "Into a hole", "depth 0.75"),
+        *("The same, without holes", "depth 2.75", "Into an exact fit", "depth 0.25"),
+        *("The same, without fits", "depth 3"),
+    ],
+    "cast": [
+        *("Up to the first hit", "hits, time 0.375", "Along a wall", "no hit, time 1"),
+        *("Down a slot of its width", "hits, time 0.75"),
+    ],
+    "contacts": [
+        *("Within a distance", "6 contacts", "Two turned bricks", "1 contact"),
+        *("The same with a slope", "2 contacts"),
+    ],
+}
+
+
+@pytest.mark.parametrize("name", gallery_contacts.PICTURES)
+def test_contacts(name: str) -> None:
+    """What the pictures say, in order; and what moves is drawn at its end too."""
+    axes = gallery_contacts.PICTURES[name]().axes
+    said = [text for ax in axes for text in (ax.get_title(), ax.texts[0].get_text())]
+    assert said == ANSWERS[name]
+    moves = name in ("penetration", "cast")
+    assert {len(ax.patches) for ax in axes} == {3 if moves else 2}
 
 
 def test_witnesses() -> None:

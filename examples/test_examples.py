@@ -27,6 +27,16 @@ PAIRS = [
 ]
 
 
+# What the examples find of the wall, in C and in Python.
+WALL = """\
+block 10 is 0.25 deep in block 9, and is moved by (0.243902, 0.054878)
+block 11 falls by 3.775, on block 8
+20 pairs of blocks have contacts: 10 touch, 6 are apart by rounding, 4 overlap by rounding
+71 contacts within 0.01; without a slope 10 of them are lost
+19 pairs have contacts at both ends of a face; without a slope 11 keep both
+"""
+
+
 def run(program, *arguments):
     return subprocess.run([PROGRAMS / program, *map(str, arguments)], text=True,
                           capture_output=True, check=False, timeout=300)
@@ -87,6 +97,20 @@ class Programs(unittest.TestCase):
         done = run("no_fit_polygon")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         self.assertIn("on the sheet: 5 2\n", done.stdout)
+
+
+    def test_contact(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = Path(folder) / "contact.svg"
+            done = run("contact", picture)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertEqual(done.stdout, f"{WALL}picture: {picture}\n")
+            drawn = [path.get("class") for path in ElementTree.parse(picture).iter(f"{SVG}path")]
+            self.assertEqual([drawn.count(style) for style in ("block", "pushed", "hanging")],
+                             [10, 1, 1])
+            # 16 of the contacts are of two vertices, and have no normal of an edge.
+            circles = list(ElementTree.parse(picture).iter(f"{SVG}circle"))
+            self.assertEqual((len(circles), drawn.count("normal")), (71, 55))
 
 
 class Pairs(TestInFolder):
@@ -232,6 +256,10 @@ class Failures(TestInFolder):
                 done = run("region", *arguments)
                 self.assertEqual((done.returncode, done.stdout), (2, ""))
                 self.assertIn("usage: region", done.stderr)
+        for arguments in [], [a, b]:
+            done = run("contact", *arguments)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("usage: contact", done.stderr)
 
     def test_files_that_cannot_be_read(self):
         for path in (self.folder / "missing.wkt", self.folder):
@@ -264,6 +292,7 @@ class Failures(TestInFolder):
         pair = polygon("coast"), polygon("islet")
         for option in ("--wkt", "--svg"):
             self.assert_failure(run("region", *pair, option, "/dev/full"), "/dev/full")
+        self.assert_failure(run("contact", "/dev/full"), "/dev/full")
         with open("/dev/full", "w", encoding="ascii") as full:
             done = subprocess.run([PROGRAMS / "region", *pair], stdout=full, text=True,
                                   stderr=subprocess.PIPE, check=False, timeout=300)
@@ -295,6 +324,15 @@ class Nesting(Bindings):
         rings = self.rings(picture)
         self.assertEqual(len(rings), 12)
         self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
+
+
+class Contacts(Bindings):
+    def test_the_same_as_in_c(self):
+        pictures = [self.folder / f"{language}.svg" for language in ("python", "c")]
+        done = self.succeed(sys.executable, HERE / "contacts.py", "--svg", pictures[0])
+        self.assertEqual(done.stdout, f"{WALL}picture: {pictures[0]}\n")
+        self.succeed(PROGRAMS / "contact", pictures[1])
+        self.assertEqual(pictures[0].read_text(), pictures[1].read_text())
 
 
 class NfpDask(Bindings):

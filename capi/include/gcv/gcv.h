@@ -1393,8 +1393,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_contacts(const gcv_polygon *a, const gcv_po
 GCV_API void gcv_contact_list_destroy(gcv_contact_list *list);
 
 /**
- * The contacts of a list: by |gap|, then by ids, kind, a, b. No two of them have the same ids, kind,
- * a and b.
+ * The contacts of a list: by |gap|, then by ids, kind, a, b. No two of them have the same ids,
+ * kind, a and b.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
