@@ -3,6 +3,7 @@
 // What questions about two polygons take and give: vectors and contacts.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -50,13 +51,9 @@ inline gcv_contact public_contact(const Contact& contact) {
 
 // Is a number of the contact beyond the largest double?
 inline bool is_out_of_range(const Contact& contact) {
-  for (const double x :
-       {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
-    if (!std::isfinite(x)) {
-      return true;
-    }
-  }
-  return false;
+  const auto numbers = {contact.gap, contact.on_a.x, contact.on_a.y, contact.on_b.x,
+                        contact.on_b.y};
+  return std::any_of(numbers.begin(), numbers.end(), [](double x) { return !std::isfinite(x); });
 }
 
 }  // namespace gcv::capi
