@@ -210,9 +210,13 @@ Contact contact_in(const WaysOut& ways, WitnessSearch& search, const NearestFree
       first = {key, edge};
     }
   };
-  const SumEdge line = coordinates(operands.a, operands.b, found.edge);
-  search.begin({operands.relative_start(found.edge), line.dx, line.dy});
-  for (const auto& [i, j] : search.pairs_near(found.parameter.lo, found.parameter.hi)) {
+  // Begins in the place: on an outer ring it may lie beyond the end of the edge.
+  const SumEdge at = coordinates(operands.a, operands.b, found.edge);
+  const RelativeLine line{operands.relative_start(found.edge), at.dx, at.dy};
+  const auto& [from, to] = found.parameter;
+  const bool is_certain = search.slack() < std::numeric_limits<double>::infinity();
+  search.begin({line.at(from), line.dx, line.dy});
+  for (const auto& [i, j] : search.pairs_near(0, is_certain ? to - from : 2)) {
     const PairEdge translated = operands.translated(i, j);
     if (operands.b_contributes(j, translated.rank)) {
       consider(translated, {ContactKind::edge_vertex, of_a[i].edge_number, of_b[j].vertex_number});

@@ -117,6 +117,11 @@ void CoveredCells::add(const Witness& witness) {
     columns[k] = {(std::min(a, b) + std::max(at_low, at_high) + error - left) * cells_a_unit_.x,
                   (std::max(a, b) + std::min(at_low, at_high) - error - left) * cells_a_unit_.x,
                   slope * size_.y * cells_a_unit_.x};
+    // Nearly level strips overflow. Nothing is certain then.
+    if (!std::isfinite(columns[k].from) || !std::isfinite(columns[k].to) ||
+        !std::isfinite(columns[k].step)) {
+      return;
+    }
   }
   first_row = std::max(first_row, 0.0);
   end_row = std::min(end_row, last_ + 1);
