@@ -42,40 +42,45 @@ inline void check_escape(const Pair& pair, const Point& t, const gcv_escape& esc
         "a way out to another contact" + where);
 }
 
-// What is left out makes a way longer, or as long.
-inline void check_left_out(const Pair& pair, const Point& t, const std::string& where) {
-  std::optional<gcv_escape> ways[4];
-  for (const std::uint64_t left_out : {0, 1, 2, 3}) {
-    ways[left_out] = penetration(pair.a.get(), pair.b.get(), t, left_out);
-  }
-  const auto is_not_longer = [&](std::uint64_t p, std::uint64_t q) {
-    return !ways[p] || !ways[q] || ways[p]->depth <= ways[q]->depth;
-  };
-  check(is_not_longer(0, GCV_LEAVE_OUT_HOLES) && is_not_longer(0, GCV_LEAVE_OUT_FITS) &&
-            is_not_longer(GCV_LEAVE_OUT_HOLES, GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS) &&
-            is_not_longer(GCV_LEAVE_OUT_FITS, GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS),
-        "a shorter way with parts left out" + where);
-  for (const auto& way : ways) {
+// Without some parts of what there is to go to. What is left out makes a way longer, or as long.
+inline void check_left_out(const Pair& pair, const Point& t, const gcv_escape& whole,
+                           const std::string& where) {
+  const auto holes = penetration(pair.a.get(), pair.b.get(), t, GCV_LEAVE_OUT_HOLES);
+  const auto fits = penetration(pair.a.get(), pair.b.get(), t, GCV_LEAVE_OUT_FITS);
+  const auto both =
+      penetration(pair.a.get(), pair.b.get(), t, GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS);
+  for (const auto& way : {holes, fits, both}) {
     if (way) {
       check_escape(pair, t, *way, where);
+      check(whole.depth <= way->depth, "a shorter way with parts left out" + where);
     }
+  }
+  for (const auto& way : {holes, fits}) {
+    check(!way || !both || way->depth <= both->depth, "a shorter way without more parts" + where);
   }
 }
 
 inline void check_penetration(const Pair& pair, const Point& t, const std::string& where) {
-  check_left_out(pair, t, where);
   const auto here = penetration(pair.a.get(), pair.b.get(), t);
+  if (!here) {
+    return;
+  }
+  check_escape(pair, t, *here, where);
+  check_left_out(pair, t, *here, where);
   const auto exchanged = penetration(pair.b.get(), pair.a.get(), negated(t));
-  check(!here || !exchanged || here->depth == exchanged->depth,
+  check(!exchanged || here->depth == exchanged->depth,
         "another depth with a and b exchanged" + where);
   // In one point where rings of both polygons touch, there may be none.
-  check(!here || pair.have_holes ||
+  check(pair.have_holes ||
             is_none(here->contact) == (relation(pair.a.get(), pair.b.get(), t) != GCV_OVERLAPPING),
         "a way out to no contact" + where);
 }
 
 // No depth changes by more than the way between two translations.
 inline void check_depth_between(const Pair& pair, const Point& s, const Point& t) {
+  if (s == t) {
+    return;
+  }
   const auto from = penetration(pair.a.get(), pair.b.get(), s);
   const auto to = penetration(pair.a.get(), pair.b.get(), t);
   if (from && to) {
