@@ -4,7 +4,7 @@
  */
 #include "regions.h"
 
-enum { MOST_LINE = MOST_REGION_TEXT };
+enum { MOST_LINE = MOST_REGION_TEXT, MOST_CONTACTS = 64 };
 
 static gcv_polygon *a = NULL, *b = NULL;
 
@@ -64,30 +64,59 @@ static void append_contact(char *line, const gcv_contact *contact) {
   append_number(line, contact->on_b[1]);
 }
 
-/* The position is left out where the exact one is no pair of doubles. */
+/* It is left out where the exact one is no pair of doubles. */
+static void append_position(char *line, int relation, const double position[2], int is_exact) {
+  if (is_exact) {
+    append_relation(line, relation);
+    append_number(line, position[0]);
+    append_number(line, position[1]);
+  } else {
+    strcat(line, " inexact");
+  }
+}
+
 static void append_impact(char *line, const gcv_impact *impact, int is_exact) {
   CHECK(impact->hit == 0 || impact->hit == 1);
   strcat(line, impact->hit ? " hit" : " miss");
   append_number(line, impact->time);
-  if (is_exact) {
-    append_relation(line, impact->relation);
-    append_number(line, impact->position[0]);
-    append_number(line, impact->position[1]);
-  } else {
-    strcat(line, " inexact");
-  }
+  append_position(line, impact->relation, impact->position, is_exact);
   append_contact(line, &impact->contact);
+}
+
+static void append_escape(char *line, const gcv_escape *escape, int is_exact) {
+  append_number(line, escape->depth);
+  append_number(line, escape->translation[0]);
+  append_number(line, escape->translation[1]);
+  append_position(line, escape->relation, escape->position, is_exact);
+  append_contact(line, &escape->contact);
+}
+
+static void append_contacts(char *line, const gcv_contact_list *list) {
+  gcv_contact contacts[MOST_CONTACTS];
+  size_t count = 0, i;
+  CHECK_OK(gcv_contact_list_contacts(list, contacts, MOST_CONTACTS, &count));
+  if (count == 0) strcat(line, " empty");
+  for (i = 0; i < count; ++i) {
+    if (i > 0) strcat(line, ";");
+    append_contact(line, &contacts[i]);
+  }
 }
 
 /* The words of a line whose first one is that of a question: that, and numbers. Gives how many
  * bytes they take; 0 for any other line. */
 static int read_question(const char *line, char *word, double numbers[4]) {
-  int end = 0, k;
+  static const struct {
+    const char *word;
+    int numbers;
+  } questions[] = {
+      {"relation", 2}, {"distance", 2}, {"cast", 4}, {"penetration", 2}, {"contacts", 4}};
+  int end = 0, count = 0, k;
   if (sscanf(line, "%15s%n", word, &end) != 1) return 0;
-  if (strcmp(word, "relation") != 0 && strcmp(word, "distance") != 0 && strcmp(word, "cast") != 0) {
-    return 0;
+  for (k = 0; k < (int)(sizeof questions / sizeof questions[0]); ++k) {
+    if (strcmp(word, questions[k].word) == 0) count = questions[k].numbers;
   }
-  for (k = 0; k < (strcmp(word, "cast") == 0 ? 4 : 2); ++k) {
+  if (count == 0) return 0;
+  for (k = 0; k < count; ++k) {
     char *rest;
     numbers[k] = strtod(line + end, &rest);
     end = (int)(rest - line);
@@ -100,11 +129,17 @@ static void append_answer(char *line, const char *word, const double *numbers, i
   int8_t relation = 2;
   gcv_separation separation;
   gcv_impact impact;
+  gcv_escape escape;
+  gcv_contact_list *contacts = NULL;
   gcv_status status;
   if (strcmp(word, "relation") == 0) {
     status = gcv_relation(a, b, numbers, 1, NULL, &relation);
   } else if (strcmp(word, "distance") == 0) {
     status = gcv_distance(a, b, numbers, 1, NULL, &separation);
+  } else if (strcmp(word, "penetration") == 0) {
+    status = gcv_penetration(a, b, numbers, 1, NULL, &escape);
+  } else if (strcmp(word, "contacts") == 0) {
+    status = gcv_contacts(a, b, numbers, numbers[2], numbers[3], NULL, &contacts);
   } else {
     status = gcv_cast(a, b, numbers, numbers + 2, 1, NULL, &impact);
   }
@@ -116,6 +151,11 @@ static void append_answer(char *line, const char *word, const double *numbers, i
     append_relation(line, separation.relation);
     append_number(line, separation.distance);
     append_contact(line, &separation.nearest);
+  } else if (strcmp(word, "penetration") == 0) {
+    append_escape(line, &escape, is_exact);
+  } else if (strcmp(word, "contacts") == 0) {
+    append_contacts(line, contacts);
+    gcv_contact_list_destroy(contacts);
   } else {
     append_impact(line, &impact, is_exact);
   }

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <set>
 #include <sstream>
 #include <string>
 
@@ -16,6 +17,8 @@
 #include "distance.hpp"
 #include "error.hpp"
 #include "minkowski_sum.hpp"
+#include "near_contacts.hpp"
+#include "penetration.hpp"
 #include "polygon.hpp"
 #include "relation.hpp"
 #include "ring_predicates.hpp"
@@ -95,9 +98,9 @@ std::string text_of(double x) {
 std::string text_of(const Point& p) { return text_of(p.x) + text_of(p.y); }
 
 std::string text_of(Relation relation) {
-  return relation == Relation::apart      ? "apart"
-         : relation == Relation::touching ? "touching"
-                                          : "overlapping";
+  return relation == Relation::apart      ? " apart"
+         : relation == Relation::touching ? " touching"
+                                          : " overlapping";
 }
 
 std::string text_of(const Contact& contact) {
@@ -110,19 +113,56 @@ std::string text_of(const Contact& contact) {
                    text_of(contact.gap) + text_of(contact.on_a) + text_of(contact.on_b);
 }
 
+// The numbers of a line, one after the other.
+double number(std::istringstream& words) {
+  std::string x;
+  words >> x;
+  return std::strtod(x.c_str(), nullptr);
+}
+
+std::string text_of(const UsablePosition& place, const std::string& line) {
+  return line.find(" inexact") != std::string::npos
+             ? " inexact"
+             : text_of(place.relation) + text_of(place.position);
+}
+
+std::string escape_text(const std::shared_ptr<const Polygon>& a,
+                        const std::shared_ptr<const Polygon>& b, const Point& translation,
+                        const std::string& line) {
+  Task task;
+  Tally tally;
+  const Polygon reflected = Polygon::reflected(b);
+  const WaysOut ways(*a, reflected, {}, task, tally);
+  const PolygonPair pair(*a, *b);
+  const Escape escape = EscapeSearch(ways, tally).find(PlacedPair(pair, translation), task);
+  return text_of(escape.depth) + text_of(escape.translation) + text_of(escape.place, line) +
+         text_of(escape.contact);
+}
+
+std::string contacts_text(const PlacedPair& placed, double distance, double slope) {
+  Task task;
+  Tally tally;
+  std::string text;
+  for (const Contact& contact : near_contacts(placed, distance, slope, task, tally)) {
+    text += text.empty() ? "" : ";";
+    text += text_of(contact);
+  }
+  return text.empty() ? " empty" : text;
+}
+
 // The answer as the line has it.
-std::string answer(const Polygon& a, const Polygon& b, const std::string& line) {
+std::string answer(const std::shared_ptr<const Polygon>& a, const std::shared_ptr<const Polygon>& b,
+                   const std::string& line) {
   std::istringstream words(line);
   std::string word;
   words >> word;
   const auto point = [&] {
-    std::string x;
-    std::string y;
-    words >> x >> y;
-    return Point{std::strtod(x.c_str(), nullptr), std::strtod(y.c_str(), nullptr)};
+    const double x = number(words);
+    return Point{x, number(words)};
   };
-  const PolygonPair pair(a, b);
-  const PlacedPair placed(pair, point());
+  const PolygonPair pair(*a, *b);
+  const Point translation = point();
+  const PlacedPair placed(pair, translation);
   Tally tally;
   if (word == "relation") {
     return text_of(relation(placed, tally));
@@ -132,36 +172,40 @@ std::string answer(const Polygon& a, const Polygon& b, const std::string& line) 
     return text_of(separation.relation) + text_of(separation.distance) +
            text_of(separation.nearest);
   }
-  const Impact impact = cast(placed, point(), tally);
-  const std::string place =
-      line.find(" inexact") != std::string::npos
-          ? " inexact"
-          : std::string(" ") + text_of(impact.place.relation) + text_of(impact.place.position);
-  return std::string(impact.hit ? "hit" : "miss") + text_of(impact.time) + place +
-         text_of(impact.contact);
+  if (word == "penetration") {
+    return escape_text(a, b, translation, line);
+  }
+  const Point more = point();
+  if (word == "contacts") {
+    return contacts_text(placed, more.x, more.y);
+  }
+  const Impact impact = cast(placed, more, tally);
+  return std::string(impact.hit ? " hit" : " miss") + text_of(impact.time) +
+         text_of(impact.place, line) + text_of(impact.contact);
 }
 
 TEST(Corpus, Questions) {
   std::ifstream file(GCV_CORPUS);
   std::string line, name;
-  std::map<std::string, Polygon> polygons;
+  std::map<std::string, std::shared_ptr<const Polygon>> polygons;
   std::map<std::string, int> tried;
+  const std::set<std::string> questions{"relation", "distance", "cast", "penetration", "contacts"};
   while (std::getline(file, line)) {
     const std::string word = line.substr(0, line.find(' '));
     SCOPED_TRACE(name + ": " + line);
-    const std::string ok = " GCV_OK ";
+    const std::string ok = " GCV_OK";
     const std::size_t end = line.find(ok);
     if (word == "case") {
       name = line.substr(word.size());
     } else if (word == "a" || word == "b") {
-      polygons.insert_or_assign(word, make_polygon(parse_polygon(line.substr(2), "a"), "a"));
-    } else if ((word == "relation" || word == "distance" || word == "cast") &&
-               end != std::string::npos) {
+      polygons[word] =
+          std::make_shared<const Polygon>(make_polygon(parse_polygon(line.substr(2), "a"), "a"));
+    } else if (questions.count(word) > 0 && end != std::string::npos) {
       ++tried[word];
       EXPECT_EQ(answer(polygons.at("a"), polygons.at("b"), line), line.substr(end + ok.size()));
     }
   }
-  for (const char* const word : {"relation", "distance", "cast"}) {
+  for (const std::string& word : questions) {
     EXPECT_GT(tried[word], 40) << word;
   }
 }

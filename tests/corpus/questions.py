@@ -1,6 +1,7 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""How two polygons lie, how far apart they are, and how far one can move: in fractions.
+"""How two polygons lie, how far apart they are, how far one can move, how it gets out of an
+overlap, and all their contacts: in fractions.
 
 Every pair of features is looked at. Whether interiors meet is asked as for regions. Nothing comes
 from the library.
@@ -94,6 +95,8 @@ class Contact(NamedTuple):
     squared_gap: Fraction
     on_a: Point
     on_b: Point
+    is_deep: bool = False
+    """Whether the gap counts as negative."""
 
 
 def nearest(a: Polygon, b: Polygon) -> Contact:
@@ -222,6 +225,103 @@ def impact(a: Polygon, b: Polygon, motion: Point) -> Impact:
     return Impact(False, Fraction(1), None)
 
 
+# ---------------------------------------------------------------------------- contacts --
+
+
+def admits(edge: Segment, corner: Corner, slope: Fraction) -> bool:
+    """Whether the corner can come to the edge from outside, once turned by no more than that."""
+    if cross(corner.before, corner.place, corner.after) <= 0:
+        return False
+    along = direction(*edge)
+    leaving = direction(corner.place, corner.after)
+    arriving = direction(corner.before, corner.place)
+
+    def is_near(way: Point) -> bool:
+        """The way of an edge that lies on the line of the other one runs against that."""
+        return dot(way, along) < 0 and abs(product(way, along)) <= -slope * dot(way, along)
+
+    if product(along, leaving) <= 0 <= product(along, arriving):
+        return True
+    return is_near(leaving) or is_near(arriving)
+
+
+def clamped_foot(edge: Segment, p: Point) -> Point:
+    """The point of the edge that is nearest to p."""
+    along = direction(*edge)
+    share = dot(direction(edge[0], p), along) / dot(along, along)
+    return plus(edge[0], scaled(along, min(max(share, Fraction(0)), Fraction(1))))
+
+
+def contacts(a: Polygon, b: Polygon, distance: Fraction, slope: Fraction) -> list[Contact]:
+    """Those of Definition 1 within the distance, by their features."""
+
+    def edge_of(corner: Corner) -> Segment:
+        return (corner.place, corner.after)
+
+    def sides(corner: Corner) -> list[Segment]:
+        return [(corner.before, corner.place), (corner.place, corner.after)]
+
+    found = []
+    for p in corners(a):
+        for q in corners(b):
+            pairs = []
+            if admits(edge_of(p), q, slope):
+                foot = clamped_foot(edge_of(p), q.place)
+                is_deep = cross(*edge_of(p), q.place) > 0
+                pairs.append((EDGE_VERTEX, p.edge, q.vertex, foot, q.place, is_deep))
+            if admits(edge_of(q), p, slope):
+                foot = clamped_foot(edge_of(q), p.place)
+                is_deep = cross(*edge_of(q), p.place) > 0
+                pairs.append((VERTEX_EDGE, p.vertex, q.edge, p.place, foot, is_deep))
+            are_convex = cross(p.before, p.place, p.after) > 0 < cross(q.before, q.place, q.after)
+            if are_convex and (
+                any(admits(edge, q, slope) for edge in sides(p))
+                or any(admits(edge, p, slope) for edge in sides(q))
+            ):
+                pairs.append((VERTEX_VERTEX, p.vertex, q.vertex, p.place, q.place, False))
+            for kind, i, j, on_a, on_b, is_deep in pairs:
+                way = direction(on_a, on_b)
+                if dot(way, way) <= distance**2:
+                    found.append(Contact(kind, i, j, dot(way, way), on_a, on_b, is_deep))
+    return sorted(found)
+
+
+# ------------------------------------------------------------------------ ways out --
+
+
+def nearest_free(a: Polygon, b: Polygon, ways: set[Point]) -> Point:
+    """The shortest of the ways by which b does not overlap a; of several, the smallest."""
+    for way in sorted(ways, key=lambda way: (dot(way, way), way)):
+        if relation(a, moved(b, way)) >= 0:
+            return way
+    raise AssertionError("no way out")
+
+
+def way_out(a: Polygon, b: Polygon) -> Point:
+    """The shortest one.
+
+    It ends on a segment of ways that bring a vertex to an edge: where that is nearest, where it
+    ends, or where another one crosses it. Only there can ways begin to lead out, or stop to.
+    """
+    if relation(a, b) >= 0:
+        return ZERO
+    segments = set()
+    for p in corners(a):
+        for q in corners(b):
+            segments.add((direction(q.place, p.place), direction(q.place, p.after)))
+            segments.add((direction(q.place, p.place), direction(q.after, p.place)))
+    feet = {segment: clamped_foot(segment, ZERO) for segment in segments}
+    bound = nearest_free(a, b, {*feet.values(), *(end for segment in segments for end in segment)})
+    near = [s for s in segments if dot(feet[s], feet[s]) <= dot(bound, bound)]
+    ways = {bound, *(feet[s] for s in near)}
+    for k, segment in enumerate(near):
+        for other in near[:k]:
+            for way in meeting_points(segment, other):
+                if dot(way, way) <= dot(bound, bound):
+                    ways.add(way)
+    return nearest_free(a, b, ways)
+
+
 # ------------------------------------------------------------------------------ texts --
 
 
@@ -253,7 +353,8 @@ def text_of_number(x: float) -> str:
 def text_of_contact(contact: Contact | None) -> str:
     if contact is None:
         return "none"
-    numbers = [root(contact.squared_gap)]
+    gap = root(contact.squared_gap)
+    numbers = [-gap if contact.is_deep else gap]
     numbers += [nearest_double(x) for x in (*contact.on_a, *contact.on_b)]
     name = f"{KINDS[contact.kind]} {contact.a} {contact.b}"
     return " ".join([name, *map(text_of_number, numbers)])
@@ -270,21 +371,46 @@ def text_of_distance(a: Polygon, b: Polygon) -> str:
     return f"{RELATIONS[lie]} {text_of_number(distance)} {text_of_contact(contact)}"
 
 
+def text_of_position(a: Polygon, b: Polygon, exact: Point) -> str:
+    """Of b before that translation."""
+    position = [nearest_double(x) for x in exact]
+    if [Fraction(x) for x in position] != list(exact):
+        return "inexact"
+    lie = RELATIONS[relation(a, moved(b, exact))]
+    return " ".join([lie, *map(text_of_number, position)])
+
+
 def text_of_cast(a: Polygon, b: Polygon, translation: Point, motion: Point) -> str:
     """Of b before the translation."""
     hit, time, contact = impact(a, moved(b, translation), motion)
-    exact = plus(translation, scaled(motion, time))
-    position = [nearest_double(x) for x in exact]
-    place = "inexact"
-    if [Fraction(x) for x in position] == list(exact):
-        lie = RELATIONS[relation(a, moved(b, exact))]
-        place = " ".join([lie, *map(text_of_number, position)])
+    place = text_of_position(a, b, plus(translation, scaled(motion, time)))
     word = "hit" if hit else "miss"
     return f"{word} {text_of_number(double_below(time))} {place} {text_of_contact(contact)}"
 
 
+def text_of_penetration(a: Polygon, b: Polygon, translation: Point) -> str:
+    """Of b before the translation."""
+    way = way_out(a, moved(b, translation))
+    end = plus(translation, way)
+    contact = None
+    if way != ZERO:
+        touching = contacts(a, moved(b, end), Fraction(0), Fraction(0))
+        with_edges = [c for c in touching if c.kind != VERTEX_VERTEX]
+        assert with_edges, "rings touch where a contact is to be named"
+        contact = min(with_edges)
+    numbers = [root(dot(way, way)), nearest_double(way[0]), nearest_double(way[1])]
+    texts = [*map(text_of_number, numbers), text_of_position(a, b, end), text_of_contact(contact)]
+    return " ".join(texts)
+
+
+def text_of_contacts(a: Polygon, b: Polygon, distance: Fraction, slope: Fraction) -> str:
+    found = contacts(a, b, distance, slope)
+    found.sort(key=lambda contact: root(contact.squared_gap))
+    return "; ".join(map(text_of_contact, found)) or "empty"
+
+
 def answer(a: Polygon, b: Polygon, question: str, words: list[str]) -> str:
-    """The status, and what the question asks for, for the numbers of a translation or motion."""
+    """The status, and what the question asks for, for its numbers: a translation, and others."""
     numbers = [float(word) for word in words]
     if not all(map(math.isfinite, numbers)):
         return "GCV_ERR_NOT_FINITE"
@@ -295,6 +421,12 @@ def answer(a: Polygon, b: Polygon, question: str, words: list[str]) -> str:
             return f"GCV_OK {text_of_relation(a, moved(b, translation))}"
         if question == "distance":
             return f"GCV_OK {text_of_distance(a, moved(b, translation))}"
+        if question == "penetration":
+            return f"GCV_OK {text_of_penetration(a, b, translation)}"
+        if question == "contacts":
+            if min(exact[2:]) < 0:
+                return "GCV_ERR_INVALID_ARGUMENT"
+            return f"GCV_OK {text_of_contacts(a, moved(b, translation), exact[2], exact[3])}"
         return f"GCV_OK {text_of_cast(a, b, translation, (exact[2], exact[3]))}"
     except OverflowError:
         return "GCV_ERR_RANGE"

@@ -114,7 +114,7 @@ def recomputed(lines: list[str]) -> list[str]:
             else:
                 text = text_of(outer_face(first[0], second[0]))
             line = f"{found[0]} {text}"
-        asked = re.match(r"(relation|distance|cast) (.*?) GCV_", line)
+        asked = re.match(r"(relation|distance|cast|penetration|contacts) (.*?) GCV_", line)
         if asked:
             text = answer(a, b, asked[1], asked[2].split())
             line = f"{asked[1]} {asked[2]} {text}"

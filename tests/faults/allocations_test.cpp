@@ -290,12 +290,12 @@ void starve_all_of(const gcv::faults::Pair& pair) {
 
 // The polygons are new: the call prepares them. Once it has failed, the same ones must do.
 Attempt answers(std::size_t pair_number, const gcv::faults::Question& question, std::size_t count,
-                Threads threads = Threads::one) {
+                std::size_t near, Threads threads = Threads::one) {
   gcv_options options = GCV_OPTIONS_INIT;
   options.threads = threads == Threads::many ? 3 : 1;
   const auto attempt = [=](const Faults& faults, const std::string& expected) {
     const gcv::faults::Pair pair = std::move(gcv::faults::pairs()[pair_number]);
-    const gcv::faults::Places places = gcv::faults::places_of(pair, count);
+    const gcv::faults::Places places = gcv::faults::places_of(pair, count, near);
     const std::string untouched(count * question.answer_size, '?');
     std::string out = untouched;
     const gcv_status status =
@@ -314,12 +314,36 @@ void starve_questions(std::size_t pair_number, const char* pair_name) {
   constexpr std::size_t many = 140;
   for (const gcv::faults::Question& question : gcv::faults::questions) {
     const std::string of = std::string(question.name) + " of " + pair_name;
-    starve(of + " in few places", answers(pair_number, question, few));
-    starve(of + " in many places", answers(pair_number, question, many));
+    const std::size_t near = question.takes_memory ? few : many;
+    starve(of + " in few places", answers(pair_number, question, few, few));
+    starve(of + " in many places", answers(pair_number, question, many, near));
     gcv::faults::threads_refused = 0;
-    starve(of + " in many places on threads", answers(pair_number, question, many, Threads::many),
-           Threads::many);
+    starve(of + " in many places on threads",
+           answers(pair_number, question, many, near, Threads::many), Threads::many);
     check(gcv::faults::threads_refused > 0, of, " asks for no threads");
+  }
+}
+
+// The polygons are new here too, and there again once the call has failed.
+void starve_contacts(std::size_t pair_number, const char* pair_name) {
+  constexpr std::size_t few = 4;
+  for (std::size_t place = 0; place < few; ++place) {
+    const auto attempt = [=](const Faults& faults, const std::string& expected) {
+      const gcv::faults::Pair pair = std::move(gcv::faults::pairs()[pair_number]);
+      const gcv::faults::Places places = gcv::faults::places_of(pair, few);
+      const auto call = [&](gcv_contact_list** out) {
+        return gcv::faults::contacts_at(pair, places, place, out);
+      };
+      const Outcome outcome = handle<gcv_contact_list>(call)(faults);
+      check(
+          outcome.status == GCV_OK ||
+              gcv::faults::transcript(gcv::faults::made<gcv_contact_list>(call).get()) == expected,
+          "gcv_contacts", " gives others once it has failed");
+      return outcome;
+    };
+    const std::string expected = attempt({}, "").transcript;
+    starve(std::string("gcv_contacts of ") + pair_name + ", place " + std::to_string(place),
+           [=](const Faults& faults) { return attempt(faults, expected); });
   }
 }
 
@@ -398,6 +422,7 @@ int main() {
     const gcv::faults::Pair& pair = pairs[k];
     starve_all_of(pair);
     starve_questions(k, pair.name);
+    starve_contacts(k, pair.name);
     const Owner<gcv_outer_face> face = gcv::faults::made<gcv_outer_face>([&](gcv_outer_face** out) {
       return gcv_minkowski_sum(pair.a.get(), pair.b.get(), nullptr, out);
     });

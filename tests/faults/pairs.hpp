@@ -22,6 +22,7 @@ struct Destroy {
   void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
   void operator()(gcv_superset* superset) const { gcv_superset_destroy(superset); }
   void operator()(gcv_region* region) const { gcv_region_destroy(region); }
+  void operator()(gcv_contact_list* list) const { gcv_contact_list_destroy(list); }
 };
 
 template <class Handle>
@@ -234,6 +235,19 @@ inline std::string transcript(const gcv_superset* superset) {
     append(bytes, Vertex{edge.x1, edge.y1});
     append(bytes, edge.source);
   }
+  return bytes;
+}
+
+inline std::string transcript(const gcv_contact_list* list) {
+  std::string bytes;
+  append_elements<gcv_contact>(bytes,
+                               [&](gcv_contact* out, std::size_t capacity, std::size_t* required) {
+                                 return gcv_contact_list_contacts(list, out, capacity, required);
+                               });
+  append_elements<std::uint64_t>(
+      bytes, [&](std::uint64_t* out, std::size_t capacity, std::size_t* required) {
+        return gcv_contact_list_previous(list, out, capacity, required);
+      });
   return bytes;
 }
 

@@ -78,6 +78,11 @@ std::string work(const Shared& shared, std::size_t k) {
   for (const gcv::faults::Question& question : gcv::faults::questions) {
     bytes += gcv::faults::answers(question, pair, places, nullptr);
   }
+  for (std::size_t place = 0; place < places.count(); ++place) {
+    bytes += transcript(made<gcv_contact_list>([&](gcv_contact_list** out) {
+                          return gcv::faults::contacts_at(pair, places, place, out);
+                        }).get());
+  }
   return bytes;
 }
 

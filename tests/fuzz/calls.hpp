@@ -57,11 +57,11 @@ inline double any_tolerance(Input& input) {
 inline bool is_rounding(std::int32_t rounding) { return rounding == 0 || rounding == 1; }
 inline bool is_tolerance(double tolerance) { return tolerance >= 0 && tolerance < HUGE_VAL; }
 
-// Options of any size and with any values, in just as much memory; or NULL. Those of inner fits
-// are more restricted.
+// Options of any size and with any values, in just as much memory; or NULL. Those of inner fits and
+// of ways out are more restricted.
 class Options {
  public:
-  enum class Use { sum, inner_fit };
+  enum class Use { sum, inner_fit, escape };
 
   Options(Input& input, Faults& faults, Use use = Use::sum) {
     const std::size_t size =
@@ -87,7 +87,8 @@ class Options {
                       !is_tolerance(options.tolerance) || (!is_first && options.threads < 0) ||
                       leave_out > 3,
                   GCV_ERR_INVALID_ARGUMENT);
-    faults.add_if(use == Use::inner_fit && (options.tolerance > 0 || (leave_out & 1) != 0),
+    faults.add_if((use != Use::sum && options.tolerance > 0) ||
+                      (use == Use::inner_fit && (leave_out & 1) != 0),
                   GCV_ERR_INVALID_ARGUMENT);
   }
 
@@ -243,6 +244,7 @@ class Caller {
   Slots<gcv_outer_face> faces_;
   Slots<gcv_superset> supersets_;
   Slots<gcv_region> regions_;
+  Slots<gcv_contact_list> lists_;
 };
 
 }  // namespace gcv::fuzz

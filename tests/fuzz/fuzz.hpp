@@ -80,9 +80,11 @@ struct Destroy {
   void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
   void operator()(gcv_superset* superset) const { gcv_superset_destroy(superset); }
   void operator()(gcv_region* region) const { gcv_region_destroy(region); }
+  void operator()(gcv_contact_list* list) const { gcv_contact_list_destroy(list); }
 };
 
 using Polygon = std::unique_ptr<gcv_polygon, Destroy>;
 using OuterFace = std::unique_ptr<gcv_outer_face, Destroy>;
+using ContactList = std::unique_ptr<gcv_contact_list, Destroy>;
 
 }  // namespace gcv::fuzz

@@ -66,7 +66,12 @@ class Session : private gcv::fuzz::QuestionCalls {
                                      &Session::exact_indices,
                                      &Session::relation,
                                      &Session::distance,
-                                     &Session::cast};
+                                     &Session::cast,
+                                     &Session::penetration,
+                                     &Session::contacts,
+                                     &Session::listed_contacts,
+                                     &Session::listed_indices,
+                                     &Session::destroy_contacts};
     for (int steps = 0; steps < 64 && !input_.empty(); ++steps) {
       (this->*input_.one_of(calls))();
     }

@@ -2,28 +2,43 @@
 //
 // Bytes -> two polygons with holes, on a small grid or anywhere among the doubles, with
 // translations and motions -> the questions about them. The answers must go together: with A and B
-// exchanged, for half of a motion, one by one. Those about few vertices must be right by the
-// definitions, in fractions.
+// exchanged, for half of a motion, within a smaller distance, one by one. Those about few vertices
+// must be right by the definitions, in fractions.
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "../core/contact_agreement.hpp"
-#include "fuzz.hpp"
-#include "grid_polygons.hpp"
+#include "contact_list_checks.hpp"
+#include "escape_checks.hpp"
 #include "placement.hpp"
 
 namespace {
 
 using gcv::fuzz::add_ulps;
+using gcv::fuzz::cast;
 using gcv::fuzz::check;
+using gcv::fuzz::check_contact_lists;
+using gcv::fuzz::check_depth_between;
+using gcv::fuzz::check_penetration;
+using gcv::fuzz::distance;
 using gcv::fuzz::Input;
+using gcv::fuzz::is_finite;
+using gcv::fuzz::is_none;
+using gcv::fuzz::length_above;
+using gcv::fuzz::minus;
+using gcv::fuzz::Motion;
+using gcv::fuzz::negated;
+using gcv::fuzz::Pair;
+using gcv::fuzz::penetration;
 using gcv::fuzz::Placement;
 using gcv::fuzz::Point;
+using gcv::fuzz::relation;
 using gcv::fuzz::Ring;
 using gcv::fuzz::Rings;
+using gcv::fuzz::same_bytes;
 using gcv::fuzz::succeeds;
 using gcv::test::Points;
 using gcv::test::text_of;
@@ -83,8 +98,6 @@ Rings read_polygon(Input& input, Placement& placement) {
   return rings;
 }
 
-Point minus(const Point& p, const Point& q) { return {p[0] - q[0], p[1] - q[1]}; }
-
 // A vertex, or a point of an edge at an eighth of it.
 Point boundary_point(Input& input, const Rings& rings) {
   const Ring& ring = rings[input.below(rings.size())];
@@ -120,52 +133,6 @@ Point read_vector(Input& input, const Rings& a, const Rings& b, int exponent) {
   return vector;
 }
 
-// ------------------------------------------------------------------- what is asked --
-
-struct Pair {
-  Handle a;
-  Handle b;
-  std::string text;
-};
-
-struct Motion {
-  Point translation;
-  Point way;
-
-  [[nodiscard]] std::string text() const {
-    return "\nt: " + text_of(translation) + ", motion: " + text_of(way);
-  }
-};
-
-Point negated(const Point& p) { return {0.0 - p[0], 0.0 - p[1]}; }
-
-int relation(const gcv_polygon* a, const gcv_polygon* b, const Point& t) {
-  std::int8_t out = 2;
-  succeeds("gcv_relation", gcv_relation(a, b, t.data(), 1, nullptr, &out));
-  return out;
-}
-
-// None beyond the largest double.
-std::optional<gcv_separation> distance(const gcv_polygon* a, const gcv_polygon* b, const Point& t) {
-  gcv_separation out{};
-  const gcv_status status = gcv_distance(a, b, t.data(), 1, nullptr, &out);
-  return succeeds("gcv_distance", status, {GCV_ERR_RANGE}) ? std::optional(out) : std::nullopt;
-}
-
-std::optional<gcv_impact> cast(const gcv_polygon* a, const gcv_polygon* b, const Motion& motion) {
-  gcv_impact out{};
-  const gcv_status status =
-      gcv_cast(a, b, motion.translation.data(), motion.way.data(), 1, nullptr, &out);
-  return succeeds("gcv_cast", status, {GCV_ERR_RANGE}) ? std::optional(out) : std::nullopt;
-}
-
-template <class Result>
-bool same_bytes(const Result& p, const Result& q) {
-  return std::memcmp(&p, &q, sizeof p) == 0;
-}
-
-bool is_none(const gcv_contact& contact) { return same_bytes(contact, gcv_contact{}); }
-
 // -------------------------------------------------------------- what must hold of it --
 
 void check_relation(const Pair& pair, const Point& t, const std::string& where) {
@@ -188,11 +155,6 @@ void check_distance(const Pair& pair, const Point& t, const std::string& where) 
   const auto exchanged = distance(pair.b.get(), pair.a.get(), negated(t));
   check(!exchanged || exchanged->distance == here->distance,
         "another distance with a and b exchanged" + where);
-}
-
-// Slightly more than the length of a vector, whatever was rounded.
-double length_above(const Point& v) {
-  return std::hypot(v[0], v[1]) * (1 + 0x1p-50) + 4 * std::numeric_limits<double>::denorm_min();
 }
 
 // No distance changes by more than the way between two translations.
@@ -303,7 +265,7 @@ void check_all(const Pair& pair, const std::vector<Motion>& motions, One one, Al
 }
 
 void check_all_at_once(const Pair& pair, const std::vector<Motion>& motions,
-                       const Points& translations, const Points& ways) {
+                       const Points& translations, const Points& ways, std::uint64_t leave_out) {
   const gcv_polygon* const a = pair.a.get();
   const gcv_polygon* const b = pair.b.get();
   const double* const t = translations.front().data();
@@ -314,11 +276,30 @@ void check_all_at_once(const Pair& pair, const std::vector<Motion>& motions,
   check_all<gcv_impact>(
       pair, motions, [&](const Motion& motion) { return cast(a, b, motion); },
       [&](gcv_impact* out) { return gcv_cast(a, b, t, ways.front().data(), count, nullptr, out); });
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.leave_out = leave_out;
+  check_all<gcv_escape>(
+      pair, motions,
+      [&](const Motion& motion) { return penetration(a, b, motion.translation, leave_out); },
+      [&](gcv_escape* out) { return gcv_penetration(a, b, t, count, &options, out); });
+}
+
+// How far a motion leads; at most the largest double.
+double length_of(const Point& way) {
+  return std::min(std::hypot(way[0], way[1]), std::numeric_limits<double>::max());
+}
+
+std::size_t vertex_count(const Rings& rings) {
+  std::size_t count = 0;
+  for (const Ring& ring : rings) {
+    count += ring.size();
+  }
+  return count;
 }
 
 // By the definitions.
 void check_answers(const Rings& a, const Rings& b, const Points& translations, const Points& ways,
-                   const std::string& where) {
+                   double slope, const std::string& where) {
   const gcv::test::ContactPair pair(a, b);
   gcv::test::ContactCounts counts;
   const auto expect_none = [&](const gcv::test::Messages& messages) {
@@ -329,17 +310,18 @@ void check_answers(const Rings& a, const Rings& b, const Points& translations, c
   expect_none(check_relations(pair, translations, counts));
   expect_none(check_distances(pair, translations, counts));
   expect_none(check_casts(pair, translations, ways, counts));
+  for (std::size_t k = 0; k < translations.size(); ++k) {
+    for (const double distance : {0.0, length_of(ways[k])}) {
+      expect_none(check_contacts(pair, translations[k], distance, slope, counts));
+    }
+  }
+  constexpr std::size_t few = 8;  // the shortest way out takes long
+  if (vertex_count(a) <= few && vertex_count(b) <= few) {
+    expect_none(check_escapes(pair, translations, counts));
+  }
 }
 
 // ------------------------------------------------------------------------- an input --
-
-std::size_t vertex_count(const Rings& rings) {
-  std::size_t count = 0;
-  for (const Ring& ring : rings) {
-    count += ring.size();
-  }
-  return count;
-}
 
 std::string text(const Rings& rings) {
   std::string result;
@@ -369,8 +351,6 @@ Handle make(const Rings& rings) {
   return Handle(polygon);
 }
 
-bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }
-
 void check_refused(const Pair& pair, const Motion& motion) {
   const auto& [t, way] = motion;
   gcv_impact out{};
@@ -380,7 +360,8 @@ void check_refused(const Pair& pair, const Motion& motion) {
 }
 
 void check_case(Input& input, const Rings& a, const Rings& b, int exponent) {
-  const Pair pair{make(a), make(b), "\na:" + text(a) + "\nb:" + text(b)};
+  const Pair pair{make(a), make(b), "\na:" + text(a) + "\nb:" + text(b),
+                  a.size() > 1 && b.size() > 1};
   if (!pair.a || !pair.b) {
     return;
   }
@@ -398,20 +379,25 @@ void check_case(Input& input, const Rings& a, const Rings& b, int exponent) {
     translations.push_back(motion.translation);
     ways.push_back(motion.way);
   }
+  const double slope = input.one_of({0x1p-52, 0.0, 0.125, 1.0, 3.0, 1e300});
+  const std::uint64_t leave_out = input.below(4);
   for (const Motion& motion : motions) {
     const std::string where = motion.text() + pair.text;
     check_relation(pair, motion.translation, where);
     check_distance(pair, motion.translation, where);
     check_cast(pair, motion, where);
     check_way_between(pair, motions.front().translation, motion.translation);
+    check_penetration(pair, motion.translation, where);
+    check_depth_between(pair, motions.front().translation, motion.translation);
+    check_contact_lists(pair, motion.translation, length_of(motion.way), slope, where);
   }
   if (motions.empty()) {
     return;
   }
-  check_all_at_once(pair, motions, translations, ways);
+  check_all_at_once(pair, motions, translations, ways, leave_out);
   constexpr std::size_t most_pairs_of_vertices = 150;
   if (vertex_count(a) * vertex_count(b) <= most_pairs_of_vertices) {
-    check_answers(a, b, translations, ways, pair.text);
+    check_answers(a, b, translations, ways, slope, pair.text);
   }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace gcv::fuzz {
 using Point = std::array<double, 2>;
 using Ring = std::vector<Point>;
 using Rings = std::vector<Ring>;
+
+inline bool is_finite(const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); }
 
 inline double grid_coordinate(Input& input, std::size_t extent) {
   return static_cast<double>(input.below(extent + 1));

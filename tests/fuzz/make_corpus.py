@@ -84,9 +84,10 @@ def calls() -> dict[str, bytes]:
         stats, destroy, constants, simplified, create_rings, create_many, disc, affine, ring,
         sum_region, no_fit_region, entrance_region, inner_fit_region, region_many, region_numbers,
         region_lists, region_texts, region_polygon, locate, region_stats, exact_indices,
-        relation, distance, cast,
-    ) = range(39)  # fmt: skip
-    all_calls = range(39)
+        relation, distance, cast, penetration, contacts, listed_contacts, listed_indices,
+        destroy_contacts,
+    ) = range(44)  # fmt: skip
+    all_calls = range(44)
 
     def polygon(text: int, slot: int = 0) -> bytes:
         return bytes([create_wkt, text, 1, 1, slot, 1])
@@ -199,6 +200,43 @@ def calls() -> dict[str, bytes]:
                 (relation, b""), (distance, b""), (cast, bytes([16, 16, 3, 4, 1]))
             )
         ),
+        "escapes": ready
+        + b"".join(
+            bytes([penetration, a, b, 1, 0, tolerance, 0, leave_out, 0])
+            + bytes([count, *([16, 16, 20, 31][: 2 * count]), null, null])
+            for a, b in ((0, 1), (1, 0), (0, 0), (0, 2))
+            for tolerance, leave_out in ((0, 0), (3, 0), (0, 3), (0, 4), (0, 5), (0, 6), (5, 0))
+            for count in (0, 1, 2)
+            for null in (1, 16)
+        ),
+        "escapes_not_finite": ready
+        + b"".join(
+            bytes([penetration, 0, 1]) + options + bytes([1, x, y, 1, 1])
+            for x, y in ((0, 17), (2, 17), (16, 1), (16, 2), (16, 17))
+        ),
+        "escapes_overflow": polygon(2)
+        + bytes([penetration, 0, 0]) + options + bytes([2, 16, 16, 3, 4, 1, 1]),
+        "contacts": ready
+        + b"".join(
+            bytes([contacts, a, b]) + options + bytes([16, 20, null, 1, near, 1, slope, 0, null])
+            + b"".join(
+                bytes([call, 0, kind, 0])
+                for call in (listed_contacts, listed_indices)
+                for kind in range(6)
+            )
+            + bytes([destroy_contacts, 0])
+            for a, b in ((0, 1), (1, 0), (0, 0), (0, 2))
+            for near, slope in ((16, 16), (20, 17), (5, 5))
+            for null in (1, 16)
+        ),
+        "contacts_of_no_size": ready
+        + b"".join(
+            bytes([contacts, 0, 1]) + options + bytes([x, 16, 1, sign, near, sign, slope]) + made
+            for x, near, slope in ((16, 0, 16), (16, 16, 2), (16, 17, 16), (16, 16, 17), (1, 16, 16))
+            for sign in (0, 1)
+        ),
+        "contacts_overflow": polygon(2)
+        + bytes([contacts, 0, 0]) + options + bytes([3, 4, 1, 1, 3, 1, 3]) + made,
         "underflow": polygon(3) + bytes([sum_, 0, 0]) + options + made + numbers,
         "stats": ready + b"".join(bytes([stats, 0, size, 1]) for size in range(7)) + bytes(3),
         "indices": ready

@@ -3,6 +3,7 @@
 // Calls of the questions about two polygons.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -34,7 +35,59 @@ class QuestionCalls : protected RegionCalls {
     });
   }
 
+  void penetration() {
+    ask<gcv_escape>(
+        "gcv_penetration", {GCV_ERR_RANGE},
+        [](const Question& q, gcv_escape* out) {
+          return gcv_penetration(q.a, q.b, q.translations, q.count, q.options, out);
+        },
+        Options::Use::escape);
+  }
+
+  void contacts() {
+    Faults faults;
+    const gcv_polygon* const a = pick(polygons_, faults);
+    const gcv_polygon* const b = pick(polygons_, faults);
+    const Options options(input_, faults);
+    std::array<double, 2> point{};
+    const double* const t = reference(point, faults);
+    const double distance = size(faults);
+    const double slope = size(faults);
+    make("gcv_contacts", lists_, faults, {GCV_ERR_RANGE}, [&](gcv_contact_list** out) {
+      return gcv_contacts(a, b, t, distance, slope, options.get(), out);
+    });
+  }
+
+  void listed_contacts() {
+    list_of<gcv_contact>("gcv_contact_list_contacts", gcv_contact_list_contacts);
+  }
+  void listed_indices() {
+    list_of<std::uint64_t>("gcv_contact_list_previous", gcv_contact_list_previous);
+  }
+
+  void destroy_contacts() {
+    lists_[input_.below(lists_.size())].reset();
+    gcv_contact_list_destroy(nullptr);
+  }
+
  private:
+  // A number that must not be negative.
+  double size(Faults& faults) {
+    const double x = input_.below(8) == 0 ? -number() : number();
+    faults.add_if(!std::isfinite(x), GCV_ERR_NOT_FINITE);
+    faults.add_if(x < 0, GCV_ERR_INVALID_ARGUMENT);
+    return x;
+  }
+
+  template <class Element, class Function>
+  void list_of(const char* name, Function function) {
+    Faults faults;
+    const gcv_contact_list* const list = pick(lists_, faults);
+    fill<Element>(name, faults, [&](Element* out, std::size_t capacity, std::size_t* required) {
+      return function(list, out, capacity, required);
+    });
+  }
+
   struct Question {
     const gcv_polygon* a;
     const gcv_polygon* b;
@@ -65,11 +118,11 @@ class QuestionCalls : protected RegionCalls {
 
   // call(question, out) answers for every translation, or writes nothing.
   template <class Result, class Call>
-  void ask(const char* name, Statuses others, Call call) {
+  void ask(const char* name, Statuses others, Call call, Options::Use use = Options::Use::sum) {
     Faults faults;
     const gcv_polygon* const a = pick(polygons_, faults);
     const gcv_polygon* const b = pick(polygons_, faults);
-    const Options options(input_, faults);
+    const Options options(input_, faults, use);
     const std::size_t count = input_.below(5);
     const Vectors translations(*this, count, faults);
     Bytes bytes(count * sizeof(Result) + sentinels, untouched_byte);

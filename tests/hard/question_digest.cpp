@@ -3,6 +3,7 @@
 
 #include <gcv/gcv.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <memory>
@@ -40,9 +41,8 @@ Polygon no_fit_vertices(const gcv_polygon* a, const gcv_polygon* moving, bool is
   return status == GCV_OK ? invariants::vertices(gcv_outer_face_vertices, owner.get()) : Polygon{};
 }
 
-// Some of the vertices, evenly spread: more than one thread takes at once, at most.
-Places places_at(const Polygon& vertices) {
-  constexpr std::size_t most = 150;
+// Some of the vertices, evenly spread.
+Places places_at(const Polygon& vertices, std::size_t most) {
   const std::size_t step = vertices.size() / most + 1;
   Places places;
   for (std::size_t k = 0; k < vertices.size(); k += step) {
@@ -105,22 +105,88 @@ void add_questions(Digest& digest, const gcv_polygon* a, const gcv_polygon* movi
       });
 }
 
+// Ways out from the middle of each motion, with all parts and with fits or holes left out.
+void add_ways_out(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+                  const Places& places) {
+  Polygon middles = places.translations;
+  for (std::size_t k = 0; k < middles.size(); ++k) {
+    middles[k][0] += places.motions[k][0] / 2;
+    middles[k][1] += places.motions[k][1] / 2;
+  }
+  gcv_options options = GCV_OPTIONS_INIT;
+  for (const int leave_out : {0, int{GCV_LEAVE_OUT_FITS}, int{GCV_LEAVE_OUT_HOLES}}) {
+    options.leave_out = static_cast<std::uint64_t>(leave_out);
+    add_answers<gcv_escape>(
+        digest, middles.size(),
+        [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_escape* out) {
+          options.threads = threads;
+          return gcv_penetration(a, moving, middles[first].data(), number, &options, out);
+        });
+  }
+}
+
+// Contacts within a small part of each motion, with and without a slope.
+void add_contacts(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+                  const Places& places) {
+  for (std::size_t k = 0; k < places.translations.size(); ++k) {
+    const Point& way = places.motions[k];
+    const double distance = std::max(std::abs(way[0]), std::abs(way[1])) / 1024;
+    for (const double slope : {0.0, 0x1p-40}) {
+      gcv_contact_list* list = nullptr;
+      const gcv_status status =
+          gcv_contacts(a, moving, places.translations[k].data(), distance, slope, nullptr, &list);
+      digest.add(&status, sizeof status);
+      std::size_t count = 0;
+      bool read = gcv_contact_list_contacts(list, nullptr, 0, &count) == GCV_OK;
+      std::vector<gcv_contact> contacts(count);
+      read = read && gcv_contact_list_contacts(list, contacts.data(), count, &count) == GCV_OK;
+      digest.add(&read, sizeof read);
+      digest.add(contacts);
+      gcv_contact_list_destroy(list);
+    }
+  }
+}
+
+// Pairs with few superset edges, or the first one.
+struct Chosen {
+  explicit Chosen(const Pairs& all) : pairs(region_pairs(all, 10)), are_small(!pairs.empty()) {
+    if (!are_small) {
+      pairs = {all.front()};
+    }
+  }
+  Pairs pairs;
+  bool are_small;
+};
+
+// Calls add(digest, a, moving, places) for each pair, for that many places at most.
+template <class Add>
+std::uint64_t digest_of_pairs(const Pairs& pairs, std::size_t most_places, Add add) {
+  const Chosen chosen(pairs);
+  Digest digest;
+  for (const Pair& pair : chosen.pairs) {
+    const PolygonHandle a = invariants::make(pair.a);
+    const PolygonHandle moving = invariants::make(negated(pair.b));
+    add(digest, a.get(), moving.get(),
+        places_at(no_fit_vertices(a.get(), moving.get(), chosen.are_small), most_places));
+  }
+  return digest.value();
+}
+
 }  // namespace
 
 std::uint64_t digest_of_questions(const Pairs& pairs) {
-  Pairs chosen = region_pairs(pairs, 10);
-  const bool are_small = !chosen.empty();
-  if (!are_small) {
-    chosen = {pairs.front()};
-  }
-  Digest digest;
-  for (const Pair& pair : chosen) {
-    const PolygonHandle a = invariants::make(pair.a);
-    const PolygonHandle moving = invariants::make(negated(pair.b));
-    add_questions(digest, a.get(), moving.get(),
-                  places_at(no_fit_vertices(a.get(), moving.get(), are_small)));
-  }
-  return digest.value();
+  constexpr std::size_t most_places = 150;  // more than one thread takes at once
+  return digest_of_pairs(pairs, most_places, add_questions);
+}
+
+std::uint64_t digest_of_overlaps(const Pairs& pairs) {
+  constexpr std::size_t most_places = 20;
+  return digest_of_pairs(
+      pairs, most_places,
+      [](Digest& digest, const gcv_polygon* a, const gcv_polygon* moving, const Places& places) {
+        add_ways_out(digest, a, moving, places);
+        add_contacts(digest, a, moving, places);
+      });
 }
 
 }  // namespace gcv::hard

@@ -11,4 +11,7 @@ namespace gcv::hard {
 // The second polygon is moved to vertices of the no-fit region, and from one to the next.
 std::uint64_t digest_of_questions(const Pairs& pairs);
 
+// Likewise: ways out of overlaps, between such vertices; and lists of contacts, in them.
+std::uint64_t digest_of_overlaps(const Pairs& pairs);
+
 }  // namespace gcv::hard

@@ -18,7 +18,7 @@ REGIONS = {
     "entrance_region": gcv.entrance_region,
     "inner_fit_region": gcv.inner_fit_region,
 }
-QUESTIONS = ("relation", "distance", "cast")
+QUESTIONS = ("relation", "distance", "cast", "penetration", "contacts")
 PARTS = {
     gcv.PART_OUTER: "outer",
     gcv.PART_HOLE: "hole",
@@ -68,8 +68,14 @@ def contact(contact: gcv.Contact | None) -> str:
     return f"{name} {numbers(contact.gap, *contact.on_a, *contact.on_b)}"
 
 
+def position(found: gcv.Impact | gcv.Escape, line: str) -> str:
+    """None where the exact one is no pair of floats."""
+    exact = f"{found.relation.name.lower()} {numbers(*found.position)}"
+    return "inexact" if " inexact" in line else exact
+
+
 def answer(a: str, b: str, line: str) -> str:
-    """What the line asks for. No position where the exact one is no pair of floats."""
+    """What the line asks for."""
     word, *words = line[: line.index(" GCV_")].split(" ")
     translation = float(words[0]), float(words[1])
     if word == "relation":
@@ -77,16 +83,17 @@ def answer(a: str, b: str, line: str) -> str:
     if word == "distance":
         distance, relation, nearest = gcv.distance(a, b, translation)
         return f"{relation.name.lower()} {numbers(distance)} {contact(nearest)}"
-    impact = gcv.cast(a, b, translation, (float(words[2]), float(words[3])))
-    position = f"{impact.relation.name.lower()} {numbers(*impact.position)}"
-    return " ".join(
-        (
-            "hit" if impact.hit else "miss",
-            numbers(impact.time),
-            "inexact" if " inexact" in line else position,
-            contact(impact.contact),
-        )
-    )
+    if word == "penetration":
+        escape = gcv.penetration(a, b, translation)
+        way = numbers(escape.depth, *escape.translation)
+        return f"{way} {position(escape, line)} {contact(escape.contact)}"
+    more = float(words[2]), float(words[3])
+    if word == "contacts":
+        found = gcv.contacts(a, b, translation, *more)
+        return "; ".join(map(contact, found)) or "empty"
+    impact = gcv.cast(a, b, translation, more)
+    time = f"{'hit' if impact.hit else 'miss'} {numbers(impact.time)}"
+    return f"{time} {position(impact, line)} {contact(impact.contact)}"
 
 
 def outcome(a: str, b: str, line: str) -> str:

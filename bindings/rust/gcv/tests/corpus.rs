@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-use gcv::{cast, distance, relation, Contact, ContactKind};
+use gcv::{cast, contacts, distance, penetration, relation, Contact, ContactKind};
 use gcv::{entrance_block, minkowski_sum, no_fit_polygon};
 use gcv::{entrance_region, inner_fit_region, minkowski_sum_region, no_fit_region};
 use gcv::{Error, Options, OuterFace, PartKind, Polygon, Region};
@@ -75,7 +75,15 @@ fn contact(contact: Option<Contact>) -> String {
     format!("{name} {a} {b} {} {x} {y} {z} {w}", contact.gap())
 }
 
-/// What the question asks for, without a position where the exact one is no pair of doubles.
+/// The position, unless the exact one is no pair of doubles.
+fn place(relation: gcv::Relation, [x, y]: [f64; 2], line: &str) -> String {
+    if line.contains(" inexact") {
+        return "inexact".into();
+    }
+    format!("{} {x} {y}", word(relation))
+}
+
+/// What the question asks for.
 fn answer(a: &Polygon, b: &Polygon, key: &str, rest: &str) -> Result<String, Error> {
     let options = Options::new();
     let (from, rest) = point(rest);
@@ -87,15 +95,26 @@ fn answer(a: &Polygon, b: &Polygon, key: &str, rest: &str) -> Result<String, Err
             let nearest = contact(separation.nearest());
             format!("GCV_OK {relation} {} {nearest}", separation.distance())
         }
+        "penetration" => {
+            let escape = penetration(a, b, from, &options)?;
+            let [x, y] = escape.translation();
+            let place = place(escape.relation(), escape.position(), rest);
+            let contact = contact(escape.contact());
+            format!("GCV_OK {} {x} {y} {place} {contact}", escape.depth())
+        }
+        "contacts" => {
+            let ([most, slope], _) = point(rest);
+            let list = contacts(a, b, from, most, slope, &options)?;
+            let texts: Vec<_> = list.iter().map(|&found| contact(Some(found))).collect();
+            if texts.is_empty() {
+                return Ok("GCV_OK empty".into());
+            }
+            format!("GCV_OK {}", texts.join("; "))
+        }
         _ => {
             let impact = cast(a, b, from, point(rest).0, &options)?;
             let hit = if impact.hit() { "hit" } else { "miss" };
-            let [x, y] = impact.position();
-            let place = if rest.contains(" inexact") {
-                "inexact".into()
-            } else {
-                format!("{} {x} {y}", word(impact.relation()))
-            };
+            let place = place(impact.relation(), impact.position(), rest);
             let contact = contact(impact.contact());
             format!("GCV_OK {hit} {} {place} {contact}", impact.time())
         }
@@ -107,6 +126,7 @@ fn are_same(found: &str, expected: &str) -> bool {
     let same_word = |(p, q): (&str, &str)| {
         p == q || matches!((p.parse::<f64>(), q.parse::<f64>()), (Ok(x), Ok(y)) if x == y)
     };
+    let (found, expected) = [found, expected].map(|text| text.replace(';', " ;")).into();
     found.split(' ').count() == expected.split(' ').count()
         && found.split(' ').zip(expected.split(' ')).all(same_word)
 }
@@ -178,7 +198,7 @@ fn check(corpus: &str) {
                 let region = compute(&operands["a"], &operands["b"], point, &options);
                 (region_outcome(region), expected)
             }
-            "relation" | "distance" | "cast" => {
+            "relation" | "distance" | "cast" | "penetration" | "contacts" => {
                 let found = answer(&operands["a"], &operands["b"], key, rest)
                     .unwrap_or_else(|error| error.status_name());
                 let expected = &rest[rest.find("GCV_").unwrap()..];
@@ -199,7 +219,7 @@ fn check(corpus: &str) {
         "entrance_region",
         "inner_fit_region",
     ];
-    let questions = ["relation", "distance", "cast"];
+    let questions = ["relation", "distance", "cast", "penetration", "contacts"];
     let mut keys = keys.iter().chain(&region_keys).chain(&questions);
     assert!(keys.all(|key| seen.contains_key(key)), "{seen:?}");
 }
