@@ -210,13 +210,16 @@ Contact contact_in(const WaysOut& ways, WitnessSearch& search, const NearestFree
       first = {key, edge};
     }
   };
-  // Begins in the place: on an outer ring it may lie beyond the end of the edge.
-  const SumEdge at = coordinates(operands.a, operands.b, found.edge);
-  const RelativeLine line{operands.relative_start(found.edge), at.dx, at.dy};
-  const auto& [from, to] = found.parameter;
+  const SumEdge line = coordinates(operands.a, operands.b, found.edge);
   const bool is_certain = search.slack() < std::numeric_limits<double>::infinity();
-  search.begin({line.at(from), line.dx, line.dy});
-  for (const auto& [i, j] : search.pairs_near(0, is_certain ? to - from : 2)) {
+  const Interval at = is_certain ? found.parameter : Interval{0, 1};
+  // On an outer ring the place may lie beyond the end of the edge.
+  double length = 1;
+  while (at.hi > length) {
+    length *= 2;
+  }
+  search.begin({operands.relative_start(found.edge), length * line.dx, length * line.dy});
+  for (const auto& [i, j] : search.pairs_near(at.lo / length, at.hi / length)) {
     const PairEdge translated = operands.translated(i, j);
     if (operands.b_contributes(j, translated.rank)) {
       consider(translated, {ContactKind::edge_vertex, of_a[i].edge_number, of_b[j].vertex_number});

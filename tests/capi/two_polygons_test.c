@@ -121,6 +121,35 @@ static void escapes_with_holes_left_out(void) {
   gcv_polygon_destroy(room);
 }
 
+/* The outer ring goes on along the line of the edge that it leaves by. */
+static void escape_beyond_the_end_of_an_edge(void) {
+  static const double t[] = {3.875, 0.9};
+  gcv_polygon *hook = POLYGON(0, 0, 0, 7, 3, 7, 3, 1, 4, 1, 4, 0);
+  gcv_polygon *small = POLYGON(0, 0, 0.0068359375, 0.0009765625, 0.001953125, 0);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_escape e;
+  options.leave_out = GCV_LEAVE_OUT_HOLES;
+  CHECK_OK(gcv_penetration(hook, small, t, 1, &options, &e));
+  CHECK(e.position[0] == 3.875 && e.position[1] == 1 && e.relation == GCV_TOUCHING);
+  CHECK(e.contact.kind == GCV_CONTACT_EDGE_VERTEX && e.contact.a == 3 && e.contact.b == 0);
+  gcv_polygon_destroy(hook);
+  gcv_polygon_destroy(small);
+}
+
+/* An edge that is level but for the smallest double, beside 24 others. */
+static void escape_from_a_nearly_level_edge(void) {
+  static const double t[] = {0, 0};
+  gcv_polygon *a = POLYGON(0, 0, 7, 7, 8, 7, 5, 4, 6, 4, 2, 0);
+  gcv_polygon *comb = POLYGON(0, 5e-324, 0, 15, 41, .5, 42, .5, 42, 7, 43, 7, 43, .5, 44, .5, 44,
+                              16, 45, 16, 45, .5, 46, .5, 46, 7, 47, 7, 47, .5, 48, .5, 48, 15, 49,
+                              15, 49, .5, 50, .5, 50, 7, 51, 7, 51, .5, 52, .5, 52, 0);
+  gcv_escape e;
+  CHECK_OK(gcv_penetration(a, comb, t, 1, NULL, &e));
+  CHECK(e.depth == 7 && e.position[0] == 0 && e.position[1] == 7);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(comb);
+}
+
 /* Two squares of side 2 whose faces share a part: its two ends. */
 static void contacts(void) {
   static const double t[] = {2, 1}, above[] = {0.5, 2.25}, deep[] = {1.75, 1};
@@ -205,6 +234,8 @@ int main(void) {
   casts();
   escapes();
   escapes_with_holes_left_out();
+  escape_beyond_the_end_of_an_edge();
+  escape_from_a_nearly_level_edge();
   contacts();
   refused_contacts();
   refusals();

@@ -1325,7 +1325,8 @@ typedef struct gcv_escape {
   /** 0. */
   uint32_t reserved;
   /** The contact at t + v, with gap 0, an edge and a vertex; of several that gcv_contacts gives
-   *  there, the smallest kind, then a, then b. All 0 where they do not overlap. */
+   *  there, the smallest kind, then a, then b. All 0 where they do not overlap; and where there is
+   *  none, for they touch only where rings of both touch. */
   gcv_contact contact;
 } gcv_escape;
 
@@ -1372,6 +1373,9 @@ typedef struct gcv_contact_list gcv_contact_list;
  * With a slope s contacts are given too that a turn of one polygon by an angle of at most atan(s)
  * would admit: an edge of the vertex is off the other edge by no more. So faces that are parallel
  * but for rounding keep both their contacts.
+ *
+ * Polygons that touch have a contact within distance 0, but for polygons that touch only where
+ * rings of both touch: there the vertices of each ring can all be reflex.
  *
  * @param a         the polygon A.
  * @param b         the polygon B; the same handle may be given twice.
