@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "box.hpp"
-#include "double_double.hpp"
 #include "error.hpp"
 #include "gap.hpp"
 #include "outer_face.hpp"
@@ -93,12 +92,7 @@ class NearestFree {
   static Point seen_from_first_vertices(const Operands& operands, const Point& p) {
     const Point& a = operands.a.vertices.front();
     const Point& b = operands.b.vertices.front();
-    const auto rest = [](double x, double y, double z) {
-      const double first = x - y;
-      const double sum = first - z;
-      return sum + (rounding_error(x, -y, first) + rounding_error(first, -z, sum));
-    };
-    return {rest(p.x, a.x, b.x), rest(p.y, a.y, b.y)};
+    return {rounded_sum(p.x, -a.x, -b.x), rounded_sum(p.y, -a.y, -b.y)};
   }
 
   // How far the nearest side of the box is. Outside of it all is free.

@@ -63,6 +63,13 @@ struct PlacedPolygon : PreparedPolygon {
   }
 };
 
+// x + y + z, within a few u times itself.
+inline double rounded_sum(double x, double y, double z) {
+  const double first = x + y;
+  const double sum = first + z;
+  return sum + (rounding_error(x, y, first) + rounding_error(first, z, sum));
+}
+
 // A pair with B moved.
 struct PlacedPair {
   PlacedPair(const PolygonPair& polygons, const Point& translation)
@@ -76,14 +83,7 @@ struct PlacedPair {
   [[nodiscard]] Point offset() const {
     const Point& p = a.boundary.vertices.front();
     const Point& q = b.boundary.vertices.front();
-    return {sum_of(q.x, -p.x, b.translation.x), sum_of(q.y, -p.y, b.translation.y)};
-  }
-
- private:
-  static double sum_of(double x, double y, double z) {
-    const double first = x + y;
-    const double sum = first + z;
-    return sum + (rounding_error(x, y, first) + rounding_error(first, z, sum));
+    return {rounded_sum(q.x, -p.x, b.translation.x), rounded_sum(q.y, -p.y, b.translation.y)};
   }
 };
 

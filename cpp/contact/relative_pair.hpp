@@ -7,6 +7,7 @@
 
 #include "pair_descent.hpp"
 #include "polygon_pair.hpp"
+#include "vector.hpp"
 
 namespace gcv {
 
@@ -15,8 +16,8 @@ class RelativePair {
   explicit RelativePair(const PlacedPair& placed)
       : placed_(placed),
         offset_(placed.offset()),
-        scale_(scale_for(extent(placed.a.tree.box) + extent(placed.b.tree.box) +
-                         std::abs(offset_.x) + std::abs(offset_.y))),
+        scale_(scale_for_squares(extent(placed.a.tree.box) + extent(placed.b.tree.box) +
+                                 std::abs(offset_.x) + std::abs(offset_.y))),
         slack_(scale_ *
                (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {}
 
@@ -74,9 +75,6 @@ class RelativePair {
  private:
   [[nodiscard]] Point moved(const Point& p) const { return {p.x + offset_.x, p.y + offset_.y}; }
   [[nodiscard]] Point scaled(const Point& p) const { return {scale_ * p.x, scale_ * p.y}; }
-  static double scale_for(double size) {
-    return size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1;
-  }
 
   const PlacedPair& placed_;
   const Point offset_;

@@ -48,4 +48,10 @@ inline double length_bound(double x, double y) {
   return next_up(length * (1 + 4 * std::numeric_limits<double>::epsilon()));
 }
 
+// A power of two by which lengths up to that size can be multiplied, so that their squares are in
+// range.
+inline double scale_for_squares(double size) {
+  return size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1;
+}
+
 }  // namespace gcv

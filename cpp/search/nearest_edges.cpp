@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "box.hpp"
+#include "vector.hpp"
 
 namespace gcv {
 
@@ -12,10 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-double scale_for(const Box& box) {
-  const double size = (box.x1 - box.x0) + (box.y1 - box.y0);
-  return size > 0x1p400 ? 0x1p-600 : size < 0x1p-400 ? 0x1p600 : 1;
-}
+double extents_of(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
 }  // namespace
 
@@ -26,7 +24,7 @@ NearestEdges::NearestEdges(const Operands& operands, WitnessSearch& search)
       b_(operands.b.cover_index().chords),
       below_a_(all_edges_below(a_, operands.a, operands.directions.rank_a, operands.directions)),
       below_b_(all_edges_below(b_, operands.b, operands.directions.rank_b, operands.directions)),
-      scale_(scale_for(operands.relative_bounds())) {}
+      scale_(scale_for_squares(extents_of(operands.relative_bounds()))) {}
 
 double NearestEdges::square_of_distance(const Box& box) const {
   const double x = scale_ * std::max({0.0, box.x0 - from_.x, from_.x - box.x1});
