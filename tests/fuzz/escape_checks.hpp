@@ -32,7 +32,7 @@ inline void check_escape(const Pair& pair, const Point& t, const gcv_escape& esc
         "no depth of an overlap" + where);
   check(is_near(escape.depth / 2, std::hypot(way[0] / 2, way[1] / 2), escape.depth),
         "a depth that is not the length of the way" + where);
-  for (int k = 0; k < 2; ++k) {
+  for (std::size_t k = 0; k < 2; ++k) {
     check(is_near(position[k] / 4, t[k] / 4 + way[k] / 4, std::abs(t[k]) + std::abs(way[k])),
           "a position elsewhere" + where);
   }
