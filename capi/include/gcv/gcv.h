@@ -18,7 +18,8 @@
  * a container.
  *
  * Two polygons overlap if their interiors meet. Else they are apart or touch: a position
- * where they do not overlap is free.
+ * where they do not overlap is free. A gcv_scene holds many polygons at positions, and perhaps
+ * a container round them.
  *
  * Exactness. Every coordinate is a finite double and stands for exactly that
  * number. Every decision of the computation is exact for every such input. There is
@@ -30,8 +31,8 @@
  * flags of the caller's floating-point environment neither change a result nor are
  * changed by a call.
  *
- * Threads. Handles are immutable once created: any number of threads may use one
- * const handle at a time. Destroy a handle when no thread uses it any more.
+ * Threads. Handles are immutable once created, but for scenes: any number of threads may use
+ * one const handle at a time. Destroy a handle when no thread uses it any more.
  *
  * Errors. Functions that can fail return a gcv_status. A function that fails writes
  * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
@@ -1423,6 +1424,311 @@ GCV_API GCV_NODISCARD gcv_status gcv_contact_list_contacts(const gcv_contact_lis
 GCV_API GCV_NODISCARD gcv_status gcv_contact_list_previous(const gcv_contact_list *list,
                                                            uint64_t *out, size_t capacity,
                                                            size_t *required);
+
+/* ------------------------------------------------------------------ scenes -- */
+
+/**
+ * Polygons at positions, the members, and perhaps a container round them. Opaque.
+ *
+ * A member is its polygon moved by its position, exactly: its coordinates are sums of two doubles,
+ * which are never rounded. Members may touch and overlap. The solid of a container is all outside
+ * of it, and its holes are solid: what lies in the container touches or does not overlap it.
+ *
+ * Members have ids: 2, 3, 4, ... as they are added. An id is never used again. The container's is
+ * 1. Members that share a polygon share what is computed for it.
+ *
+ * A scene is the one object that can change. While one thread changes it, no other may use it.
+ * Any number of threads may ask it questions at a time. A progress function must not change the
+ * scene that is asked. A change that fails leaves the scene as it was.
+ *
+ * The same changes in the same order give the same answers, to the bit. @since 0.2
+ */
+typedef struct gcv_scene gcv_scene;
+
+/** Which members a question is about. @since 0.2 */
+typedef struct gcv_query {
+  /** sizeof(gcv_query) as the caller compiled it. */
+  uint32_t struct_size;
+  /** Members whose layers share a bit with these. The container is in every layer. With 0, there is
+   *  neither. */
+  uint32_t layers;
+  /** Ids of members that are left out, 1 for the container; in any order. Ids that are not there
+   *  are no error. NULL where ignore_count is 0. */
+  const uint64_t *ignore;
+  /** The number of these ids. */
+  size_t ignore_count;
+} gcv_query;
+
+/** All members and the container, as an initialiser. @since 0.2 */
+#define GCV_QUERY_INIT \
+  { sizeof(gcv_query), UINT32_MAX, NULL, 0 }
+
+/**
+ * A scene without members and container.
+ *
+ * @param out  the new scene, the caller's.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_NO_MEMORY. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_create(gcv_scene **out);
+
+/**
+ * A scene with the same members, ids and container. From then on each changes alone; members that
+ * are added to both get the same ids.
+ *
+ * @param out  the new scene, the caller's.
+ * @return as gcv_scene_create. Cost: O(n). Threads: as a question. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_copy(const gcv_scene *scene, gcv_scene **out);
+
+/** Ends a scene. NULL is allowed. @since 0.2 */
+GCV_API void gcv_scene_destroy(gcv_scene *scene);
+
+/**
+ * Puts a container round the scene, in place of the one that there may be. It may overlap members.
+ *
+ * @param container  where members are to be; its holes are solid. NULL for none. The scene keeps
+ *                   what it needs of it.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_NO_MEMORY. Threads: one. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_set_container(gcv_scene *scene,
+                                                         const gcv_polygon *container);
+
+/**
+ * Adds members, in every layer.
+ *
+ * @param polygons   their polygons; the same handle may be given many times. The scene keeps what
+ *                   it needs of them.
+ * @param positions  x0 y0 x1 y1 ..., finite.
+ * @param count      the number of members.
+ * @param ids        room for `count` ids, in the order of the polygons.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_NOT_FINITE; GCV_ERR_NO_MEMORY.
+ * Cost: O(log n) each, on average; what is new for a polygon is made in O(its vertices).
+ * Threads: one. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_add(gcv_scene *scene, const gcv_polygon *const *polygons,
+                                               const double *positions, size_t count,
+                                               uint64_t *ids);
+
+/**
+ * Moves members, or gives them other polygons, or both.
+ *
+ * @param ids        of the members, each once.
+ * @param polygons   the new polygons; NULL to keep all.
+ * @param positions  the new positions, x0 y0 x1 y1 ..., finite; NULL to keep all.
+ * @param count      the number of members.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an id that is no member's or
+ *         is given twice; GCV_ERR_NOT_FINITE; GCV_ERR_NO_MEMORY.
+ * Cost: O(log n) each, on average. Threads: one. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_set(gcv_scene *scene, const uint64_t *ids,
+                                               const gcv_polygon *const *polygons,
+                                               const double *positions, size_t count);
+
+/**
+ * Puts members into layers.
+ *
+ * @param ids     of the members, each once.
+ * @param layers  of each of them: a bit for every layer.
+ * @param count   the number of members.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT as gcv_scene_set;
+ *         GCV_ERR_NO_MEMORY. Threads: one. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_set_layers(gcv_scene *scene, const uint64_t *ids,
+                                                      const uint32_t *layers, size_t count);
+
+/**
+ * Takes members out of the scene.
+ *
+ * @param ids    of the members, each once.
+ * @param count  the number of members.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT as gcv_scene_set;
+ *         GCV_ERR_NO_MEMORY. Cost: O(log n) each, on average. Threads: one. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_remove(gcv_scene *scene, const uint64_t *ids,
+                                                  size_t count);
+
+/**
+ * The ids of all members, from the smallest on. The container's is not among them.
+ *
+ * @param ids       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of members.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_ids(const gcv_scene *scene, uint64_t *ids,
+                                               size_t capacity, size_t *required);
+
+/**
+ * The positions of members.
+ *
+ * @param ids    of the members, each once.
+ * @param count  the number of members.
+ * @param xy     room for `count` positions: x0 y0 x1 y1 ...
+ * @return as gcv_scene_set_layers. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_positions(const gcv_scene *scene, const uint64_t *ids,
+                                                     size_t count, double *xy);
+
+/**
+ * The polygon of a member, where it is before it is moved to its position.
+ *
+ * @param id   of the member.
+ * @param out  a new handle, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an id that is no member's;
+ *         GCV_ERR_NO_MEMORY. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint64_t id,
+                                                   gcv_polygon **out);
+
+/**
+ * How a polygon at positions lies to the members and the container: GCV_OVERLAPPING if it overlaps
+ * one of them, else GCV_TOUCHING if it touches one, else GCV_APART.
+ *
+ * @param moving     the polygon.
+ * @param positions  x0 y0 x1 y1 ..., finite.
+ * @param count      the number of positions.
+ * @param query      which members; or NULL for all.
+ * @param options    threads and progress; or NULL for the defaults.
+ * @param out        room for `count` elements.
+ * @return as gcv_relation; GCV_ERR_INVALID_ARGUMENT for a query, too.
+ * Exactness: exact. Cost: O(log n), and gcv_relation for each member whose box comes near.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_relation(const gcv_scene *scene,
+                                                    const gcv_polygon *moving,
+                                                    const double *positions, size_t count,
+                                                    const gcv_query *query,
+                                                    const gcv_options *options, int8_t *out);
+
+/**
+ * How far a polygon at positions is from the members and the container: gcv_distance from the
+ * nearest one. Its contact is as there, with its id in id_a and 0 in id_b, also where the distance
+ * is 0. Of several at the same distance, it is the one with the smallest id. The relation is that
+ * of gcv_scene_relation. Where there is nothing, the distance is infinite and all others are 0,
+ * GCV_APART apart.
+ *
+ * @param moving     the polygon.
+ * @param positions  x0 y0 x1 y1 ..., finite.
+ * @param count      the number of positions.
+ * @param query      which members; or NULL for all.
+ * @param options    threads and progress; or NULL for the defaults.
+ * @param out        room for `count` elements.
+ * @return as gcv_scene_relation; GCV_ERR_RANGE where a result is beyond the largest double.
+ * Exactness: as gcv_distance. Cost: O(log n), and gcv_distance for members whose boxes are as near.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_distance(
+    const gcv_scene *scene, const gcv_polygon *moving, const double *positions, size_t count,
+    const gcv_query *query, const gcv_options *options, gcv_separation *out);
+
+/**
+ * How far a polygon can move along a motion before it overlaps a member or the container: gcv_cast
+ * to the first one that is hit. Its id is in id_a of the contact, also for an overlap at the start.
+ * Of several that are hit at the same time, it is the one with the smallest id. Position and
+ * relation are about the whole scene.
+ *
+ * @param moving     the polygon.
+ * @param positions  at the start: x0 y0 x1 y1 ..., finite.
+ * @param motions    from each position to position + motion, finite.
+ * @param count      the number of positions and of motions.
+ * @param query      which members; or NULL for all.
+ * @param options    threads and progress; or NULL for the defaults.
+ * @param out        room for `count` elements.
+ * @return as gcv_scene_distance.
+ * Exactness: as gcv_cast. Cost: gcv_cast for the members whose boxes the motion meets.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_cast(const gcv_scene *scene, const gcv_polygon *moving,
+                                                const double *positions, const double *motions,
+                                                size_t count, const gcv_query *query,
+                                                const gcv_options *options, gcv_impact *out);
+
+/** Two members, and how they lie. @since 0.2 */
+typedef struct gcv_pair {
+  /** Their ids; b is 0 for a polygon that is no member. */
+  uint64_t a, b;
+  /** GCV_APART, GCV_TOUCHING or GCV_OVERLAPPING: exact. */
+  int32_t relation;
+  /** 0. */
+  uint32_t reserved;
+} gcv_pair;
+
+/** A list of pairs. Opaque, immutable. */
+typedef struct gcv_pair_list gcv_pair_list;
+
+/**
+ * The members, and the container, that are no further than a distance from a polygon at a position:
+ * pairs of their ids and 0, from the smallest id on.
+ *
+ * @param moving    the polygon.
+ * @param position  finite.
+ * @param distance  finite, not negative.
+ * @param query     which members; or NULL for all.
+ * @param options   threads and progress; or NULL for the defaults.
+ * @param out       the new list, the caller's.
+ * @return as gcv_scene_relation; GCV_ERR_INVALID_ARGUMENT for a negative distance.
+ * Exactness: exact. Cost: as gcv_scene_relation. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_near(const gcv_scene *scene, const gcv_polygon *moving,
+                                                const double position[2], double distance,
+                                                const gcv_query *query, const gcv_options *options,
+                                                gcv_pair_list **out);
+
+/**
+ * All pairs of members, and of the container and a member, that are no further than a distance from
+ * each other: with a < b, from the smallest a on, then by b.
+ *
+ * @param previous  an earlier list of this scene, or of one that it was copied from or to: what has
+ *                  not moved since is not computed again. The list is the same as without it. NULL
+ *                  for none.
+ * @param distance  finite, not negative.
+ * @param query     which members; or NULL for all.
+ * @param options   threads and progress; or NULL for the defaults.
+ * @param out       the new list, the caller's.
+ * @return as gcv_scene_near; GCV_ERR_INVALID_ARGUMENT for a list of another scene.
+ * Exactness: exact. Cost: O(n log n), and gcv_distance for pairs whose boxes are as near. With a
+ * previous list of the same distance and query, that for members that have changed, and O(n).
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_pairs(const gcv_scene *scene,
+                                                 const gcv_pair_list *previous, double distance,
+                                                 const gcv_query *query, const gcv_options *options,
+                                                 gcv_pair_list **out);
+
+/** Ends a list of pairs. NULL is allowed. @since 0.2 */
+GCV_API void gcv_pair_list_destroy(gcv_pair_list *list);
+
+/**
+ * The pairs of a list, in its order.
+ *
+ * @param out       room for `capacity` elements; or NULL.
+ * @param capacity  in elements.
+ * @param required  the number of pairs.
+ * @return GCV_OK, GCV_ERR_NULL_ARGUMENT, GCV_ERR_BUFFER_TOO_SMALL.
+ * Cost: O(n). Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_pair_list_pairs(const gcv_pair_list *list, gcv_pair *out,
+                                                     size_t capacity, size_t *required);
+
+/**
+ * The contacts of all pairs of members, and of the container and members, within a distance: those
+ * of gcv_contacts, with the ids in id_a < id_b. `a` is about the one with id_a.
+ *
+ * @param previous  an earlier list of contacts of this scene, or of one that it was copied from or
+ *                  to: what has not moved since is not computed again, and
+ *                  gcv_contact_list_previous tells which contacts were there. NULL for none.
+ * @param distance  contacts whose |gap| is at most this are given: finite, not negative.
+ * @param slope     as in gcv_contacts.
+ * @param query     which members; or NULL for all.
+ * @param options   threads and progress; or NULL for the defaults.
+ * @param out       the new list, the caller's: by |gap|, then id_a, id_b, kind, a, b.
+ * @return as gcv_scene_pairs; GCV_ERR_RANGE where a result is beyond the largest double.
+ * Exactness: as gcv_contacts. Cost: as gcv_scene_pairs, and gcv_contacts for each pair.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_contacts(
+    const gcv_scene *scene, const gcv_contact_list *previous, double distance, double slope,
+    const gcv_query *query, const gcv_options *options, gcv_contact_list **out);
 
 /* --------------------------------------------------------------- superset -- */
 
