@@ -7,9 +7,9 @@ The base class of scenes. It copies, pickles and draws them, too.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from ctypes import byref, c_uint64, sizeof
-from typing import TYPE_CHECKING, Any, Callable, Optional, TypeVar
+from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, overload
 
 from . import _ffi, _structs
 from ._call import run
@@ -21,7 +21,7 @@ from ._many import handle_array, vertices
 from ._polygon import Polygon, as_polygon
 from ._several import Polygons, polygons_of
 from ._sources import PolygonLike
-from ._whole_numbers import WholeNumbers, ids_of, layers_of
+from ._whole_numbers import WholeNumbers, ids_of, layers_of, one_id
 
 if TYPE_CHECKING:
     import numpy
@@ -84,6 +84,12 @@ class Members:
             self._container = polygon
 
         self._change(change, 0 if polygon is None else vertices(polygon))
+
+    @overload
+    def add(self, polygons: PolygonLike, positions: tuple[float, float] = ...) -> int: ...
+
+    @overload
+    def add(self, polygons: Polygons, positions: Iterable[Any] = ...) -> Any: ...
 
     def add(self, polygons: Polygons, positions: Any = (0, 0)) -> Any:
         """Add one polygon at one position, and return its id; or many, and return an array.
@@ -228,14 +234,15 @@ class Members:
             _ffi.scene_positions(self._handle, numbers.tobytes(), len(numbers), out)
         return record(out) if is_one else records(out)
 
-    def polygon(self, id: int) -> Polygon:
+    def polygon(self, id: SupportsIndex) -> Polygon:
         """The polygon of a member as it was passed, before it is moved to its position.
 
         Raises InputError for an id that is no member's.
         """
-        polygon = self._polygons.get(id)
+        number = one_id(id, "id")
+        polygon = self._polygons.get(number)
         if polygon is None:
-            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: no member has the id {id!r}")
+            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: no member has the id {number}")
         return polygon
 
     def copy(self: _MembersType) -> _MembersType:

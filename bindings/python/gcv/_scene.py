@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import byref, c_int8, c_uint64
-from typing import Any, Callable, Optional, TypeVar, overload
+from typing import Any, Callable, Optional, SupportsIndex, TypeVar, overload
 
 from . import _ffi, _structs
 from ._call import Progress, run
@@ -68,7 +68,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: tuple[float, float] = ...,
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -80,7 +80,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: Iterable[Any],
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -91,7 +91,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: Any = (0, 0),
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -127,7 +127,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: tuple[float, float] = ...,
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -139,7 +139,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: Iterable[Any],
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -150,7 +150,7 @@ class Scene(Members):
         moving: PolygonLike,
         positions: Any = (0, 0),
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -185,7 +185,7 @@ class Scene(Members):
         positions: tuple[float, float],
         motions: tuple[float, float],
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -198,7 +198,7 @@ class Scene(Members):
         positions: Iterable[Any],
         motions: Iterable[Any],
         *,
-        layers: Optional[int] = ...,
+        layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
@@ -210,7 +210,7 @@ class Scene(Members):
         positions: Any,
         motions: Any,
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -245,7 +245,7 @@ class Scene(Members):
         position: Iterable[float],
         distance: float = 0.0,
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -276,7 +276,7 @@ class Scene(Members):
         distance: float = 0.0,
         previous: Optional[PairList] = None,
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -312,7 +312,7 @@ class Scene(Members):
         slope: float = 0.0,
         previous: Optional[ContactList] = None,
         *,
-        layers: Optional[int] = None,
+        layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
         threads: int = 1,
         progress: Optional[Progress] = None,
@@ -351,7 +351,7 @@ class Scene(Members):
         kind: Any,
         moving: PolygonLike,
         vectors: dict[str, Any],
-        query: tuple[Optional[int], WholeNumbers],
+        query: tuple[Optional[SupportsIndex], WholeNumbers],
         options: tuple[int, Optional[Progress]],
     ) -> Any:
         """What the function gives, of that C type, for the vectors by their names.
@@ -391,7 +391,7 @@ class Scene(Members):
         return container + 2 * _NEIGHBOURS * self._vertices
 
 
-def _query(layers: Optional[int], ignore: WholeNumbers) -> Optional[_structs.Query]:
+def _query(layers: Optional[SupportsIndex], ignore: WholeNumbers) -> Optional[_structs.Query]:
     """Which members a question is about, as the library takes it; None for all."""
     ids, _ = ids_of(ignore, "ignore")
     if layers is None and not ids:

@@ -7,32 +7,33 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable
 from operator import index
-from typing import Any, Literal, Optional, Union
+from typing import Any, Literal, Optional, SupportsIndex, Union
 
 from ._coordinates import unfit
 
+_ID = "an id"
 _LAYERS = "a number of 32 bits, one for each layer"
 
-WholeNumbers = Union[int, Iterable[Any]]
+WholeNumbers = Union[SupportsIndex, Iterable[Any]]
 """One whole number, or a sequence or an array of them."""
 
 
 def ids_of(source: WholeNumbers, name: str) -> tuple[array[int], bool]:
     """The ids, and whether the source is one. Messages call them by that name."""
-    return _read(source, "Q", name, "an id")
-
-
-def one_of_layers(source: int, name: str) -> int:
-    """The bits of one question."""
-    bits, is_one = layers_of(source, name)
-    if not is_one:
-        raise unfit(name, source, _LAYERS)
-    return bits[0]
+    return _read(source, "Q", name, _ID)
 
 
 def layers_of(source: WholeNumbers, name: str) -> tuple[array[int], bool]:
     """The bits of layers, likewise."""
     return _read(source, "I", name, _LAYERS)
+
+
+def one_id(source: SupportsIndex, name: str) -> int:
+    return _number(source, "Q", name, _ID)
+
+
+def one_of_layers(source: SupportsIndex, name: str) -> int:
+    return _number(source, "I", name, _LAYERS)
 
 
 def _read(source: Any, code: Literal["Q", "I"], name: str, what: str) -> tuple[array[int], bool]:
