@@ -242,7 +242,7 @@ class Members:
         number = one_id(id, "id")
         polygon = self._polygons.get(number)
         if polygon is None:
-            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: no member has the id {number}")
+            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: {number} is not that of a member")
         return polygon
 
     def copy(self: _MembersType) -> _MembersType:

@@ -53,9 +53,10 @@ def test_relation() -> None:
 def test_positions_are_exact() -> None:
     scene = gcv.Scene()
     scene.add(SQUARE, (0.1, 0))
-    # In floats, 0.1 + 1 == 1.1.
-    block = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0)]
-    assert scene.relation(block, (1.1, 0)) is gcv.relation([(0.1, 0), (1.1, 0), (0.1, 1)], block)
+    # In floats, 0.1 + 1 == 1.1: exactly, that is more.
+    block = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 0.5)]
+    assert scene.relation(block, (1.1, 0)) is gcv.APART
+    assert scene.relation(block, (math.nextafter(1.1, 0), 0)) is gcv.OVERLAPPING
     far = 2.0**60
     scene.move(2, (far, 0.25))
     assert scene.relation(block, (far, 1.25)) is gcv.TOUCHING
@@ -64,12 +65,12 @@ def test_positions_are_exact() -> None:
 
 def test_distance() -> None:
     scene = row()
-    assert scene.distance(BLOCK, (4, 3)) == gcv.Separation(
+    assert scene.distance(BLOCK, (4.5, 3)) == gcv.Separation(
         distance=2.0,
         relation=gcv.APART,
         nearest=gcv.Contact(
             *(ContactKind.EDGE_VERTEX, 2, 0, 2.0),
-            *((0.0, 1.0), (4.0, 1.0), (4.0, 3.0)),
+            *((0.0, 1.0), (4.5, 1.0), (4.5, 3.0)),
             *(4, 0),
         ),
         id=4,
@@ -281,12 +282,12 @@ def test_refused_distances(distance: Any, message: str) -> None:
 
 def test_beyond_the_largest_float() -> None:
     scene = gcv.Scene()
-    scene.add(HUGE, (-1e308, 0))
+    scene.add(HUGE, (-1.7e308, 0))
     assert scene.relation(HUGE, (1.7e308, 0)) is gcv.APART
-    with pytest.raises(gcv.Error) as raised:
-        scene.distance(HUGE, (1.7e308, 1e308))
+    with pytest.raises(gcv.Error, match=r"^positions: number 1: ") as raised:
+        scene.distance(HUGE, [(0, 0), (1.7e308, 0)])
     assert raised.value.status_name == "GCV_ERR_RANGE"
-    assert scene.distance(HUGE, (0, 1e308)) == (0, gcv.TOUCHING, None, 2)
+    assert scene.distance(HUGE, (-1.7e308, 1e308)) == (0, gcv.TOUCHING, None, 2)
 
 
 def random_scene(seed: int, container: Any) -> tuple[gcv.Scene, dict[int, gcv.Polygon]]:
