@@ -177,7 +177,8 @@ class Members:
         """Put members into layers, which questions choose from.
 
         ids: as in set. layers: a whole number with a bit for every layer, from 0 to
-        2**32 - 1, for all of them; or one for each. The container is in every layer.
+        2**32 - 1, for all of them; or one for each. A member with 0 is left out of all
+        questions. The container is in every layer.
 
         Raises InputError as set does, and for a number that has other bits.
         """

@@ -39,10 +39,11 @@ class Scene(Members):
     container's is 1. The scene keeps each Polygon as it was passed: the numbers of its
     vertices and edges are those of contacts.
 
-    Questions are about all members and the container. layers, a whole number, leaves the
-    members that share no bit with it: set_layers gives them bits, and without it they have
-    all. The container is in every layer; with 0 there is neither. ignore, an id or some of
-    them, leaves out members, and the container by 1; ids that are not there are no error.
+    Questions are about all members and the container. layers, a whole number, leaves out
+    the members that share no bit with it: set_layers gives them bits, at first they have
+    all. The container is in every layer. With layers=0 there is neither. ignore, an id or
+    several, leaves out these members, and 1 the container; ids that are not there are no
+    error.
 
     The same changes in the same order give the same answers, to the bit. A change that
     raises leaves the scene as it was.
@@ -285,8 +286,8 @@ class Scene(Members):
 
         Pairs of members, and of the container and a member: with a < b, by a, then by b.
 
-        distance: in input units, from 0 on. previous: an earlier list of pairs of this
-        scene, or of one that it was copied from or to. What has not moved since is then not
+        distance: in input units, from 0 on. previous: an earlier list that pairs gave for
+        this scene, or for one that it was copied from or to. What has not moved since is then not
         computed again, where distance, layers and ignore are the same. The list is the
         same as without it.
 
@@ -320,8 +321,8 @@ class Scene(Members):
         """The contacts of all pairs, within a distance: those of gcv.contacts.
 
         Pairs of members, and of the container and a member, with id_a < id_b. In a contact,
-        a is about what has id_a. They are in the order of the size of the gap, then id_a,
-        id_b, kind, a, b.
+        a is about what has id_a, and the points are where the members are. They are in the
+        order of the size of the gap, then id_a, id_b, kind, a, b.
 
         distance, slope: as in gcv.contacts. previous: an earlier list of contacts of this
         scene, or of one that it was copied from or to. What has not moved since is then not

@@ -190,6 +190,11 @@ def test_lists_that_are_refused() -> None:
             scene.contacts(1, previous=previous_contacts)
     with pytest.raises(gcv.InputError):
         scene.contacts(1, previous=gcv.contacts(BLOCK, BLOCK, (1, 0)))
+    with pytest.raises(gcv.InputError, match=r"^previous "):
+        scene.pairs(1, scene.near(BLOCK, (1, 0), 1))
+    again = pickle.loads(pickle.dumps(scene))
+    with pytest.raises(gcv.InputError, match=r"^previous "):
+        again.pairs(1, pairs)
 
 
 @pytest.mark.parametrize(
