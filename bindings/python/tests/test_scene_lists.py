@@ -170,6 +170,22 @@ def test_previous_contacts() -> None:
     assert after != scene.contacts(1)
 
 
+def test_previous_contacts_of_other_questions() -> None:
+    """Of another distance or slope, or of other layers, a list still tells what was there."""
+    scene, _ = random_scene(2, box(-40, -40, 40, 40))
+    questions: list[dict[str, Any]] = [
+        *({"distance": 1}, {"distance": 2}, {"distance": 1, "slope": 0.25}),
+        *({"distance": 1, "ignore": [1, 5]}, {"distance": 1, "layers": 0}, {}),
+    ]
+    lists = [scene.contacts(**question) for question in questions]
+    for before in lists:
+        numbers = {key(contact): k for k, contact in enumerate(before)}
+        for question, expected in zip(questions, lists):
+            found = scene.contacts(previous=before, **question)
+            assert list(found) == list(expected)
+            assert found.previous == tuple(numbers.get(key(contact)) for contact in found)
+
+
 def test_lists_that_are_refused() -> None:
     scene, other = row(), row()
     pairs, contacts = scene.pairs(1), scene.contacts(1)
