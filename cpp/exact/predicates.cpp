@@ -88,11 +88,11 @@ std::optional<int> compare_products(double a, double b, double c, double d) {
 // Most ties are on grids of few bits. There all coordinates are doubles. Most other ties come from
 // the sum of a polygon with itself.
 std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleDoubleVector& w) {
-  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
-    return compare_products(v.x.hi, w.y.hi, v.y.hi, w.x.hi);
-  }
   if (are_equal(v.x, w.x) && are_equal(v.y, w.y)) {
     return 0;
+  }
+  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
+    return compare_products(v.x.hi, w.y.hi, v.y.hi, w.x.hi);
   }
   const DoubleDoubleCross cross = double_double_cross(v, w);
   return std::abs(cross.hi) > cross.error ? std::optional(sign_of(cross.hi)) : std::nullopt;
@@ -115,6 +115,10 @@ std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleD
 }
 
 [[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  if (s.origin.a == point.a && s.origin.b == point.b) {
+    ++tally.fixed_width;
+    return 0;
+  }
   if (const auto sign = double_double_sign(double_double_vector(s.from, s.to),
                                            double_double_vector(s.origin, point))) {
     ++tally.fixed_width;
@@ -188,25 +192,26 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
 // The lo parts are below 4u of the hi parts. The roundings of the sum of the lo parts are below
 // 16u^2. The rounding of the last sum keeps the sign. The smallest normal double covers quotients
 // that underflow. Other underflows are far below the errors of numbers that are in range.
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
-  const DoubleDoubleParameter p = double_double_parameter(s, t);
-  const DoubleDoubleParameter q = double_double_parameter(s, r);
-  const double hi = p.hi - q.hi;
-  const double difference = hi + (rounding_error(p.hi, -q.hi, hi) + (p.lo - q.lo));
-  const double error = p.error + q.error +
-                       32 * unit_roundoff * unit_roundoff * (std::abs(p.hi) + std::abs(q.hi)) +
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally) {
+  const DoubleDoubleParameter x = double_double_parameter(s, t);
+  const DoubleDoubleParameter y = double_double_parameter(q, r);
+  const double hi = x.hi - y.hi;
+  const double difference = hi + (rounding_error(x.hi, -y.hi, hi) + (x.lo - y.lo));
+  const double error = x.error + y.error +
+                       32 * unit_roundoff * unit_roundoff * (std::abs(x.hi) + std::abs(y.hi)) +
                        std::numeric_limits<double>::min();
   if (std::abs(difference) > 2 * error) {
     ++tally.fixed_width;
     return sign_of(difference);
   }
-  if (p.is_fraction && q.is_fraction) {
-    if (const std::optional<int> order = compare_products(p.n, q.d, q.n, p.d)) {
+  if (x.is_fraction && y.is_fraction) {
+    if (const std::optional<int> order = compare_products(x.n, y.d, y.n, x.d)) {
       ++tally.fixed_width;
-      return *order * sign_of(p.d) * sign_of(q.d);
+      return *order * sign_of(x.d) * sign_of(y.d);
     }
   }
-  return exact::compare_crossings(s, t, r, tally);
+  return exact::compare_crossings(s, t, q, r, tally);
 }
 
 }  // namespace gcv

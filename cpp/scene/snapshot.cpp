@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "snapshot.hpp"
+
+#include <algorithm>
+
+namespace gcv {
+
+Snapshot::Snapshot(const Scene& scene, const Query& asked)
+    : family(scene.family()), query(asked), container_stamp(scene.container_stamp()) {
+  members.reserve(scene.size());
+  for (const Member& member : scene.members()) {
+    if (query.admits(member)) {
+      members.push_back({member.id, member.stamp});
+    }
+  }
+}
+
+Unchanged::Unchanged(const Scene& scene, const Query& query, const Snapshot& before)
+    : before_(&before),
+      slots_(scene.members().size(), false),
+      of_before_(before.members.size(), false),
+      container_(scene.container_stamp() == before.container_stamp) {
+  std::size_t old = 0;
+  for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
+    const Member& member = scene.members()[slot];
+    while (old < before.members.size() && before.members[old].id < member.id) {
+      ++old;
+    }
+    if (old < before.members.size() && before.members[old].id == member.id &&
+        before.members[old].stamp == member.stamp && query.admits(member)) {
+      slots_[slot] = true;
+      of_before_[old] = true;
+    }
+  }
+}
+
+bool Unchanged::has(Id id) const {
+  if (id == container_id) {
+    return container_;
+  }
+  // Ids grow by at least 1. So the index of one is at most that, and mostly it is.
+  const std::vector<Snapshot::Stamped>& members = before_->members;
+  std::size_t k = std::min<std::uint64_t>(id - members.front().id, members.size() - 1);
+  if (members[k].id != id) {
+    k = static_cast<std::size_t>(
+        std::lower_bound(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(k), id,
+                         [](const Snapshot::Stamped& member, Id i) { return member.id < i; }) -
+        members.begin());
+  }
+  return of_before_[k];
+}
+
+}  // namespace gcv
