@@ -299,8 +299,9 @@ impl Scene {
     /// All pairs of members, and of the container and a member, that are no further than
     /// `distance` from each other: a < b, from the smallest a on, then by b.
     ///
-    /// `previous` is an earlier list of this scene, or of one that it was copied from or to. What
-    /// has not moved since is not computed again. The list is the same as without it.
+    /// `previous` is an earlier list that this gave for the scene, or for one that it was copied
+    /// from or to. What has not moved since is not computed again. The list is the same as without
+    /// it.
     ///
     /// ```
     /// use gcv::{Options, Polygon, Query, Relation, Scene};
@@ -324,7 +325,7 @@ impl Scene {
     ///
     /// # Errors
     /// `GCV_ERR_NOT_FINITE` for the distance; `GCV_ERR_INVALID_ARGUMENT` for one below 0, an
-    /// option, or a list of another scene; `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`.
+    /// option, or a list of another scene or question; `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`.
     pub fn pairs(
         &self,
         previous: Option<&PairList>,
@@ -351,8 +352,8 @@ impl Scene {
     /// [`Contact::id_b`](crate::Contact::id_b), of kind, and of the numbers. The first id is the
     /// smaller one.
     ///
-    /// `previous` is an earlier list of contacts of this scene, or of one that it was copied from
-    /// or to. What has not moved since is not computed again, and [`ContactList::previous`] tells
+    /// `previous` is an earlier list that this gave for the scene, or for one that it was copied
+    /// from or to. What has not moved since is not computed again, and [`ContactList::previous`] tells
     /// which contacts were there: so what is known of a contact can be kept.
     ///
     /// ```

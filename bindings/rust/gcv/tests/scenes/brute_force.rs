@@ -28,6 +28,14 @@ fn polygons() -> impl Strategy<Value = Polygon> {
     rings(6).prop_map(|ring| Polygon::new(&ring).unwrap())
 }
 
+/// Rings of containers, without collinear vertices: of edges that are merged, the number would be
+/// that of the first along a ring that is a hole here.
+fn container_rings() -> impl Strategy<Value = Ring> {
+    rings(24).prop_filter("collinear", |ring| {
+        Polygon::new(ring).unwrap().vertices().len() == ring.len()
+    })
+}
+
 fn vectors(range: std::ops::Range<i32>) -> impl Strategy<Value = [f64; 2]> {
     [range.clone(), range].prop_map(|vector| vector.map(f64::from))
 }
@@ -41,22 +49,27 @@ enum Change {
     Reshape(usize, Polygon),
     Layers(usize, u32),
     Remove(usize),
+    /// Goes on with a copy.
     Copy,
+    /// Goes on with what an earlier copy was made of, or with another copy.
+    Back(usize),
 }
 
 fn changes() -> impl Strategy<Value = Change> {
     let positions = || vectors(-3..16);
     prop_oneof![
-        1 => prop::option::of(rings(24)).prop_map(Change::Container),
+        1 => prop::option::of(container_rings()).prop_map(Change::Container),
         4 => (polygons(), positions()).prop_map(|(polygon, at)| Change::Add(polygon, at)),
         3 => (any::<usize>(), positions()).prop_map(|(member, to)| Change::Move(member, to)),
         1 => (any::<usize>(), polygons()).prop_map(|(member, to)| Change::Reshape(member, to)),
         1 => (any::<usize>(), 0..4_u32).prop_map(|(member, to)| Change::Layers(member, to)),
         1 => any::<usize>().prop_map(Change::Remove),
         1 => Just(Change::Copy),
+        1 => any::<usize>().prop_map(Change::Back),
     ]
 }
 
+#[derive(Clone)]
 struct Member {
     id: u64,
     polygon: Polygon,
@@ -65,7 +78,7 @@ struct Member {
 }
 
 /// What a scene is about, as a list.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Model {
     container: Option<Ring>,
     members: Vec<Member>,
@@ -73,7 +86,7 @@ struct Model {
 }
 
 impl Model {
-    fn change(&mut self, scene: &mut Scene, change: Change) {
+    fn change(&mut self, scene: &mut Scene, change: Change, others: &mut Vec<(Scene, Self)>) {
         let chosen = |number: usize, members: &[Member]| number % members.len().max(1);
         match change {
             Change::Container(ring) => {
@@ -93,7 +106,17 @@ impl Model {
                     layers,
                 });
             }
-            Change::Copy => *scene = scene.clone(),
+            Change::Copy => {
+                let before = (std::mem::replace(scene, scene.clone()), self.clone());
+                others.push(before);
+            }
+            Change::Back(number) => {
+                let number = number % others.len().max(1);
+                if let Some(other) = others.get_mut(number) {
+                    std::mem::swap(scene, &mut other.0);
+                    std::mem::swap(self, &mut other.1);
+                }
+            }
             Change::Move(number, position) => {
                 let number = chosen(number, &self.members);
                 if let Some(member) = self.members.get_mut(number) {
@@ -331,27 +354,34 @@ fn check_lists(
 }
 
 proptest! {
+    /// Lists are asked for with an earlier one, of the same question or of another one.
     #[test]
     fn as_member_by_member(
         changes in prop::collection::vec(changes(), 1..12), moving in polygons(),
         at in prop::collection::vec([vectors(-3..16), vectors(-8..8)], 12),
+        earlier in prop::collection::vec(any::<usize>(), 12),
+        widened in prop::collection::vec(prop::bool::weighted(0.2), 12),
         layers in prop_oneof![3 => Just(u32::MAX), 1 => 0..4_u32],
         ignore in prop::collection::vec(0..9_u64, 0..3),
         limits in [0..3, 0..2]
     ) {
-        let (mut scene, mut model, mut lists) = (Scene::new(), Model::default(), None);
+        let (mut scene, mut model) = (Scene::new(), Model::default());
+        let (mut others, mut lists) = (vec![], vec![]);
         let query = Query::new().layers(layers).ignore(&ignore);
-        for (change, [at, motion]) in changes.into_iter().zip(at) {
-            model.change(&mut scene, change);
+        for (step, change) in changes.into_iter().enumerate() {
+            model.change(&mut scene, change, &mut others);
             let ids: Vec<_> = model.members.iter().map(|member| member.id).collect();
             assert_eq!(scene.ids(), ids);
             let positions = model.members.iter().map(|member| member.position).collect();
             assert_eq!(scene.positions(&ids), Ok(positions));
 
             let bodies = model.bodies(layers, &ignore);
-            check_moving(&scene, &query, &bodies, &moving, at, motion);
-            let limits = limits.map(f64::from);
-            lists = Some(check_lists(&scene, &query, &bodies, lists.as_ref(), limits));
+            let [position, motion] = at[step];
+            check_moving(&scene, &query, &bodies, &moving, position, motion);
+            let limits = limits.map(|limit| f64::from(limit + i32::from(widened[step])));
+            let previous = lists.get(earlier[step] % (lists.len() + 1));
+            let found = check_lists(&scene, &query, &bodies, previous, limits);
+            lists.push(found);
         }
     }
 }
