@@ -204,7 +204,8 @@ impl Scene {
         check(unsafe { sys::gcv_scene_set(scene, ids, polygons.as_ptr(), ptr::null(), count) })
     }
 
-    /// Puts members into layers: a bit for every layer that each of them is in.
+    /// Puts members into layers: a bit for every layer that each of them is in. A member in no
+    /// layer is in no answer.
     ///
     /// ```
     /// use gcv::{Options, Polygon, Query, Relation, Scene};

@@ -325,7 +325,8 @@ impl Scene {
     ///
     /// # Errors
     /// `GCV_ERR_NOT_FINITE` for the distance; `GCV_ERR_INVALID_ARGUMENT` for one below 0, an
-    /// option, or a list of another scene or question; `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`.
+    /// option, or a list of another scene or of [`Scene::near`]; `GCV_ERR_CANCELLED`;
+    /// `GCV_ERR_NO_MEMORY`.
     pub fn pairs(
         &self,
         previous: Option<&PairList>,

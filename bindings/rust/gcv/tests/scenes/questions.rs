@@ -209,6 +209,19 @@ fn casts() {
     assert_eq!(found.contact(), None);
 }
 
+/// From all of the smallest numbers on.
+#[test]
+fn casts_at_any_scale() {
+    for unit in [1, 1 << 20, 1 << 50, 1 << 60].map(f64::from_bits) {
+        let mut scene = Scene::new();
+        let triangle = polygon(&[[0., 0.], [4. * unit, 0.], [0., 2. * unit]]);
+        let id = scene.add(&triangle, [9. * unit, 0.]).unwrap();
+        let found = cast(&scene, unit, [9. * unit, 3. * unit], [0., -2. * unit]);
+        assert_eq!((found.id(), found.time()), (id, 0.5), "{unit}");
+        assert_eq!(found.position(), [9. * unit, 2. * unit], "{unit}");
+    }
+}
+
 /// Position and relation are about the whole scene.
 #[test]
 fn casts_end_beside_others() {
