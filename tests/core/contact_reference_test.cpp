@@ -19,27 +19,13 @@
 
 #include "contact_agreement.hpp"
 #include "contact_scenes.hpp"
+#include "scene_texts.hpp"
 
 namespace gcv::test {
 namespace {
 
 int cases = 30;
 std::uint64_t seed = 1;
-
-std::string text_of(const std::vector<invariants::Polygon>& rings) {
-  std::string text = "POLYGON (";
-  for (const invariants::Polygon& ring : rings) {
-    text += &ring == &rings.front() ? "(" : ", (";
-    for (const Point& p : ring) {
-      char vertex[80];
-      static_cast<void>(std::snprintf(vertex, sizeof vertex, "%s%.17g %.17g",
-                                      &p == &ring.front() ? "" : ", ", p[0], p[1]));
-      text += vertex;
-    }
-    text += ")";
-  }
-  return text + ")";
-}
 
 // Calls check(scene, pair) for the scenes of the family whose polygons are valid.
 template <class Check>
@@ -54,8 +40,8 @@ void for_each_scene(const RegionFamily& family, int count, int translations, Che
       continue;
     }
     for (const std::string& message : check(scene, *pair)) {
-      ADD_FAILURE() << "case " << k << ": " << message << "\na: " << text_of(scene.a)
-                    << "\nb: " << text_of(scene.b);
+      ADD_FAILURE() << "case " << k << ": " << message << "\na: " << text_of_rings(scene.a)
+                    << "\nb: " << text_of_rings(scene.b);
     }
     ++k;
   }
