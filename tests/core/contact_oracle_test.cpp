@@ -105,7 +105,7 @@ TEST(Complements, HoldWhatIsInThem) {
   const Impact impact = reference::impact(room(), moved(b, place(1.5, 3)), place(4, 0));
   EXPECT_TRUE(impact.hit);
   EXPECT_EQ(impact.time, Rational(3, 8));
-  EXPECT_EQ(names(impact.entered.contacts), "1:1,1 1:1,2 ");
+  EXPECT_EQ(names(impact.entered.contacts), "1:1,1 3:2,2 ");
 }
 
 TEST(Solids, HaveTheCallersNumbers) {
