@@ -35,18 +35,29 @@ class Vectors {
   const double* xy_;
 };
 
-inline gcv_contact public_contact(const Contact& contact) {
+inline gcv_contact public_contact(const Contact& contact, std::uint64_t id_a = 0,
+                                  std::uint64_t id_b = 0) {
   const auto& [kind, a, b, gap, normal, on_a, on_b] = contact;
   return {static_cast<std::int32_t>(kind),
           a,
           b,
           0,
-          0,
-          0,
+          id_a,
+          id_b,
           gap,
           {normal.x, normal.y},
           {on_a.x, on_a.y},
           {on_b.x, on_b.y}};
+}
+
+// Throws Error: not_finite, invalid_argument.
+inline void require_size(double x, const char* name) {
+  if (!std::isfinite(x)) {
+    throw Error(Status::not_finite, "%s is %g, not finite", name, x);
+  }
+  if (x < 0) {
+    throw Error(Status::invalid_argument, "%s is %g, it must not be negative", name, x);
+  }
 }
 
 // Is a number of the contact beyond the largest double?

@@ -14,6 +14,9 @@
 #include "minkowski_region.hpp"
 #include "minkowski_sum.hpp"
 #include "polygon.hpp"
+#include "scene.hpp"
+#include "scene_contacts.hpp"
+#include "scene_pairs.hpp"
 
 struct gcv_polygon {
   explicit gcv_polygon(std::shared_ptr<const gcv::Polygon> prepared)
@@ -66,9 +69,19 @@ struct gcv_superset {
 };
 
 struct gcv_contact_list {
-  explicit gcv_contact_list(std::vector<gcv_contact> found) : contacts(std::move(found)) {}
+  explicit gcv_contact_list(gcv::SceneContactList found) : list(std::move(found)) {}
 
-  const std::vector<gcv_contact> contacts;
+  const gcv::SceneContactList list;
+};
+
+struct gcv_pair_list {
+  explicit gcv_pair_list(gcv::PairList found) : list(std::move(found)) {}
+
+  const gcv::PairList list;
+};
+
+struct gcv_scene {
+  gcv::Scene scene;
 };
 
 namespace gcv::capi {
@@ -79,5 +92,7 @@ inline gcv_edge_source public_source(const EdgeSource& source) {
 
 // Makes a handle. The caller owns it.
 gcv_polygon* new_polygon(Polygon&& polygon);
+// The new handle shares the polygon.
+gcv_polygon* new_polygon(std::shared_ptr<const Polygon> polygon);
 
 }  // namespace gcv::capi

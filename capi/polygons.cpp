@@ -123,6 +123,10 @@ gcv_polygon* gcv::capi::new_polygon(Polygon&& polygon) {
   return new gcv_polygon(std::make_shared<const gcv::Polygon>(std::move(polygon)));
 }
 
+gcv_polygon* gcv::capi::new_polygon(std::shared_ptr<const Polygon> polygon) {
+  return new gcv_polygon(std::move(polygon));
+}
+
 gcv_status gcv_polygon_create(const double* xy, size_t vertex_count, size_t stride_bytes,
                               gcv_polygon** out) {
   return guarded([&] {

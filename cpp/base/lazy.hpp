@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <mutex>
 #include <optional>
 
@@ -16,6 +17,7 @@ class Lazy {
   Lazy(const Lazy& /*other*/) {}
   Lazy& operator=(const Lazy& other) {
     if (this != &other) {
+      is_made_ = false;
       value_.reset();
     }
     return *this;
@@ -25,15 +27,19 @@ class Lazy {
   // Returns the value. The first call makes it with make().
   template <class Make>
   const Value& get(Make make) const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (!value_) {
-      value_.emplace(make());
+    if (!is_made_.load(std::memory_order_acquire)) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (!value_) {
+        value_.emplace(make());
+        is_made_.store(true, std::memory_order_release);
+      }
     }
     return *value_;
   }
 
  private:
   mutable std::mutex mutex_;
+  mutable std::atomic<bool> is_made_{false};
   mutable std::optional<Value> value_;
 };
 

@@ -8,6 +8,7 @@
 
 #include "pair_descent.hpp"
 #include "solid_cones.hpp"
+#include "swept_box.hpp"
 
 namespace gcv {
 
@@ -16,14 +17,6 @@ namespace {
 Point negated(const Point& p) { return {-p.x, -p.y}; }
 double size_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
 
-// A contact that the motion enters, and the line of translations at which its features meet. The
-// path crosses it at that time.
-struct Entry {
-  ContactName name;
-  SumEdge line;
-  Interval time;
-};
-
 // The first contact that the motion enters.
 class FirstEntry {
  public:
@@ -31,7 +24,11 @@ class FirstEntry {
       : placed_(placed),
         motion_(motion),
         direction_{{0, 0}, motion},
-        path_{{placed.b.translation, {0, 0}}, {0, 0}, motion, motion.x, motion.y},
+        path_{{placed.b.translation, negated(placed.a.translation)},
+              {0, 0},
+              motion,
+              motion.x,
+              motion.y},
         tally_(tally),
         slack_(placed.pair.slack + 0x1p-48 * (size_of(placed.offset()) + size_of(motion))) {
     PairDescent(placed, *this).run();
@@ -40,35 +37,8 @@ class FirstEntry {
   // The children that a box meets on its way, the first one first. Seen from B, A moves backwards.
   template <class Visit>
   bool any_child(const ChainTree::Block& block, const Box& box, bool is_of_a, Visit visit) {
-    const Point motion = is_of_a ? motion_ : negated(motion_);
-    // When the box meets a child along one axis: from `first` to `last`.
-    const auto times = [&](const double* low, const double* high, double box_low, double box_high,
-                           double speed, SimdDouble& first, SimdDouble& last) {
-      const double inverse = 1 / speed;
-      const SimdDouble to_low = SimdDouble::load(low) + (-box_high - slack_);
-      const SimdDouble to_high = SimdDouble::load(high) + (-box_low + slack_);
-      const SimdDouble p = inverse * to_low;
-      const SimdDouble q = inverse * to_high;
-      first = inverse > 0 ? p : q;
-      last = inverse > 0 ? q : p;
-    };
-    SimdDouble first_x;
-    SimdDouble last_x;
-    SimdDouble first_y;
-    SimdDouble last_y;
-    times(block.x0, block.x1, box.x0, box.x1, motion.x, first_x, last_x);
-    times(block.y0, block.y1, box.y0, box.y1, motion.y, first_y, last_y);
-    double first[ChainTree::width];
-    double last[ChainTree::width];
-    larger(first_x, first_y).store(first);
-    smaller(last_x, last_y).store(last);
-    unsigned lanes = 0;
-    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
-      const double reach = (1 + 0x1p-48) * last[lane] + 0x1p-48;
-      const bool is_met = !(first[lane] > reach) && !(last[lane] < -0x1p-48);
-      lanes |= static_cast<unsigned>(is_met) << lane;
-    }
-    return any_in_order(lanes & children_of(block), first, limit_, visit);
+    const SweptBox swept{box, is_of_a ? motion_ : negated(motion_), slack_};
+    return swept.any_child(block, limit_, visit);
   }
 
   // The start of each of the edges and the other edge.
@@ -98,7 +68,6 @@ class FirstEntry {
   }
 
   [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
-  [[nodiscard]] const SumEdge& path() const { return path_; }
 
  private:
   // The paths of a vertex of B, and of one of A as seen from B, with the direction of the motion.
@@ -137,20 +106,18 @@ class FirstEntry {
 
   void add(const ContactName& name) {
     const SumEdge line = line_of(name);
-    const Interval time = crossing_parameter(path_, line);
-    if (time.lo > limit_ || (first_ && !is_before(name, line, time))) {
+    const Entry entry{name, path_, line, crossing_parameter(path_, line)};
+    if (entry.time.lo > limit_ || (first_ && !is_before_first(entry))) {
       return;
     }
-    first_ = {name, line, time};
-    limit_ = std::min(limit_, time.hi);
+    first_ = entry;
+    limit_ = std::min(limit_, entry.time.hi);
   }
-  // Comes the contact before the first one known?
-  bool is_before(const ContactName& name, const SumEdge& line, const Interval& time) {
-    if (time.hi < first_->time.lo || time.lo > first_->time.hi) {
-      return time.hi < first_->time.lo;
-    }
-    const int order = compare_crossings(path_, line, first_->line, tally_);
-    return order < 0 || (order == 0 && order_of(placed_, name) < order_of(placed_, first_->name));
+  // Comes it before the first one known?
+  bool is_before_first(const Entry& entry) {
+    const int order = compare_times(entry, *first_, tally_);
+    return order < 0 ||
+           (order == 0 && order_of(placed_, entry.name) < order_of(placed_, first_->name));
   }
 
   const PlacedPair& placed_;
@@ -163,16 +130,23 @@ class FirstEntry {
   std::optional<Entry> first_;
 };
 
-// Does the path cross the line before the end of the motion?
-bool is_before_end(const SumEdge& path, const Entry& entry, Tally& tally) {
-  if (entry.time.hi < 1) {
-    return true;
+}  // namespace
+
+int compare_times(const Entry& p, const Entry& q, Tally& tally) {
+  if (p.time.hi < q.time.lo || p.time.lo > q.time.hi) {
+    return p.time.hi < q.time.lo ? -1 : 1;
   }
-  const SumEdge end = perpendicular(path, {path.origin.a, path.to});
-  return compare_crossings(path, entry.line, end, tally) < 0;
+  return compare_crossings(p.path, p.line, q.path, q.line, tally);
 }
 
-// The contact when it is entered: its features meet in one point.
+bool is_at_start(const Entry& entry, Tally& tally) {
+  return side(entry.line, entry.path.origin, tally) == 0;
+}
+
+double time_of(const Entry& entry, Tally& tally) {
+  return parameter_below(entry.path, entry.line, tally);
+}
+
 Contact contact_on_entry(const PlacedPair& placed, const ContactName& name, const Point& motion,
                          Tally& tally) {
   Contact contact;
@@ -183,12 +157,17 @@ Contact contact_on_entry(const PlacedPair& placed, const ContactName& name, cons
   const SumEdge path{placed.b.vertex(name.j), {0, 0}, motion, motion.x, motion.y};
   contact.on_a = name.kind == ContactKind::edge_vertex
                      ? nearest_crossing(placed.a.edge(name.i), path, tally)
-                     : placed.a.boundary.vertices[name.i];
+                     : nearest_point(placed.a.vertex(name.i), tally);
   contact.on_b = contact.on_a;
   return contact;
 }
 
-}  // namespace
+std::optional<Entry> first_entry(const PlacedPair& placed, const Point& motion, Tally& tally) {
+  const FirstEntry search(placed, motion, tally);
+  const std::optional<Entry>& entry = search.entry();
+  const bool is_before_end = entry && (entry->time.hi < 1 || time_of(*entry, tally) < 1);
+  return is_before_end ? entry : std::nullopt;
+}
 
 Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
   if (relation(placed, tally) == Relation::overlapping) {
@@ -196,14 +175,9 @@ Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
     return {true, 0, usable_position(placed.pair, start, tally), {}};
   }
   if (!(motion == Point{0, 0})) {
-    const FirstEntry search(placed, motion, tally);
-    if (search.entry() && is_before_end(search.path(), *search.entry(), tally)) {
-      const SumEdge& path = search.path();
-      const auto& [name, line, time] = *search.entry();
-      const auto position = ExactPoint::of_crossing(path, line);
-      return {true, parameter_below(path, line, tally),
-              usable_position(placed.pair, position, tally),
-              contact_on_entry(placed, name, motion, tally)};
+    if (const std::optional<Entry> entry = first_entry(placed, motion, tally)) {
+      return {true, time_of(*entry, tally), usable_position(placed.pair, entry->place(), tally),
+              contact_on_entry(placed, entry->name, motion, tally)};
     }
   }
   const auto end = ExactPoint::of_sum({placed.b.translation, motion});

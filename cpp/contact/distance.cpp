@@ -82,7 +82,8 @@ ContactName nearest_features(const PlacedPair& placed, const ContactName& name, 
   return {ContactKind::vertex_vertex, name.i, is_end ? placed.b.next(name.j) : name.j};
 }
 
-// The nearest pair of features, exactly.
+}  // namespace
+
 ContactName nearest_features(const PlacedPair& placed, Tally& tally) {
   std::optional<ContactName> best;
   Gap gap{};
@@ -104,8 +105,6 @@ ContactName nearest_features(const PlacedPair& placed, Tally& tally) {
   return *best;
 }
 
-}  // namespace
-
 Separation distance(const PlacedPair& placed, Tally& tally) {
   const Relation relation = gcv::relation(placed, tally);
   if (relation != Relation::apart) {
@@ -113,6 +112,17 @@ Separation distance(const PlacedPair& placed, Tally& tally) {
   }
   const Contact nearest = contact_of(placed, nearest_features(placed, tally), tally);
   return {relation, nearest.gap, nearest};
+}
+
+std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally) {
+  const Relation relation = gcv::relation(placed, tally);
+  if (relation != Relation::apart) {
+    return relation;
+  }
+  const bool is_within =
+      distance > 0 &&
+      compare_gap(gap_of(placed, nearest_features(placed, tally), tally), distance, tally) <= 0;
+  return is_within ? std::optional(relation) : std::nullopt;
 }
 
 }  // namespace gcv

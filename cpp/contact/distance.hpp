@@ -3,6 +3,8 @@
 // How far two polygons are from each other.
 #pragma once
 
+#include <optional>
+
 #include "contact.hpp"
 #include "relation.hpp"
 
@@ -16,5 +18,12 @@ struct Separation {
 
 // A best-first search by distances in doubles. What these do not tell apart is compared exactly.
 Separation distance(const PlacedPair& placed, Tally& tally);
+
+// The features of two polygons that are apart which are nearest to each other; of several, the
+// first in the order of contacts.
+ContactName nearest_features(const PlacedPair& placed, Tally& tally);
+
+// The relation, if they are no further than a distance from each other.
+std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally);
 
 }  // namespace gcv

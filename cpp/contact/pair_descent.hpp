@@ -14,12 +14,6 @@ inline Box moved(const Box& box, const Point& offset) {
 }
 inline double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
-// The children that there are, as bits. The boxes of missing ones hold no point. But where numbers
-// overflow, no box is apart from another, not even these.
-inline unsigned children_of(const ChainTree::Block& block) {
-  return ~((SimdDouble::load(block.x0) > SimdDouble::load(block.x1)).bits()) & SimdDouble::all;
-}
-
 // Visits these children, the one of the smallest key first, as long as keys are not above the
 // limit, which may fall on the way. Ends when a visit returns true. Returns what the last one
 // returned.

@@ -81,7 +81,7 @@ class Ray {
 
 bool holds(const PlacedPolygon& polygon, const SumPoint& point, const Point& relative, double slack,
            Tally& tally) {
-  return Ray(polygon, point, relative, slack, tally).crosses_oddly();
+  return Ray(polygon, point, relative, slack, tally).crosses_oddly() != polygon.is_complement();
 }
 
 }  // namespace gcv

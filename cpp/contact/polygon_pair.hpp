@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Two polygons A and B, of which B is moved by a translation. A coordinate of B is then the sum of
-// two doubles. It is never rounded.
+// Two polygons A and B, each moved by a translation. A coordinate is then the sum of two doubles.
+// It is never rounded.
 #pragma once
 
 #include <limits>
@@ -13,14 +13,18 @@
 
 namespace gcv {
 
-// A polygon, prepared for questions about it. The polygon must live longer.
+// A polygon, prepared for questions about it. It must live longer. Its solid is connected and
+// bounded; or it is a complement, as that of a container.
 struct PreparedPolygon {
-  explicit PreparedPolygon(const Polygon& polygon)
-      : boundary(polygon.boundary()), tree(boundary.index().tree), touches(touches_of(boundary)) {}
+  explicit PreparedPolygon(const Polygon& polygon) : PreparedPolygon(polygon.boundary()) {}
+  explicit PreparedPolygon(const Boundary& of)
+      : boundary(of), tree(boundary.index().tree), touches(touches_of(boundary)) {}
 
   const Boundary& boundary;
   const ChainTree& tree;  // over vertices relative to the first one
   const Touches& touches;
+
+  [[nodiscard]] bool is_complement() const { return boundary.kind == Boundary::Kind::hole; }
 
  private:
   static const Touches& touches_of(const Boundary& boundary) {
@@ -31,7 +35,9 @@ struct PreparedPolygon {
 
 struct PolygonPair {
   PolygonPair(const Polygon& polygon_a, const Polygon& polygon_b)
-      : a(polygon_a), b(polygon_b), slack(slack_of(a.boundary.bounds, b.boundary.bounds)) {}
+      : PolygonPair(polygon_a.boundary(), polygon_b.boundary()) {}
+  PolygonPair(const Boundary& of_a, const Boundary& of_b)
+      : a(of_a), b(of_b), slack(slack_of(a.boundary.bounds, b.boundary.bounds)) {}
 
   PreparedPolygon a;
   PreparedPolygon b;
@@ -70,10 +76,30 @@ inline double rounded_sum(double x, double y, double z) {
   return sum + (rounding_error(x, y, first) + rounding_error(first, z, sum));
 }
 
-// A pair with B moved.
+// The same of four numbers. Each is added to what the others are exactly: doubles of falling size
+// that do not overlap. Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
+// Robust Geometric Predicates, section 2.4.
+inline double rounded_sum(double w, double x, double y, double z) {
+  double parts[4] = {w, 0, 0, 0};  // from the smallest on
+  std::size_t count = 1;
+  for (const double number : {x, y, z}) {
+    double sum = number;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double larger = sum + parts[k];
+      parts[k] = rounding_error(sum, parts[k], larger);
+      sum = larger;
+    }
+    parts[count++] = sum;
+  }
+  return ((parts[0] + parts[1]) + parts[2]) + parts[3];
+}
+
+// A pair with both moved, or only B.
 struct PlacedPair {
   PlacedPair(const PolygonPair& polygons, const Point& translation)
-      : pair(polygons), a(pair.a, {0, 0}), b(pair.b, translation) {}
+      : PlacedPair(polygons, {0, 0}, translation) {}
+  PlacedPair(const PolygonPair& polygons, const Point& translation_a, const Point& translation_b)
+      : pair(polygons), a(pair.a, translation_a), b(pair.b, translation_b) {}
 
   const PolygonPair& pair;
   PlacedPolygon a;
@@ -83,7 +109,11 @@ struct PlacedPair {
   [[nodiscard]] Point offset() const {
     const Point& p = a.boundary.vertices.front();
     const Point& q = b.boundary.vertices.front();
-    return {rounded_sum(q.x, -p.x, b.translation.x), rounded_sum(q.y, -p.y, b.translation.y)};
+    if (a.translation == Point{0, 0}) {
+      return {rounded_sum(q.x, -p.x, b.translation.x), rounded_sum(q.y, -p.y, b.translation.y)};
+    }
+    return {rounded_sum(q.x, -p.x, b.translation.x, -a.translation.x),
+            rounded_sum(q.y, -p.y, b.translation.y, -a.translation.y)};
   }
 };
 

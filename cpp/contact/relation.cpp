@@ -2,7 +2,10 @@
 #include "relation.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cassert>
 #include <cmath>
+#include <vector>
 
 #include "pair_descent.hpp"
 #include "point_in_polygon.hpp"
@@ -12,13 +15,15 @@ namespace gcv {
 
 namespace {
 
+using Rings = boost::container::small_vector<Index, 4>;
+
 // Searches for a place where the boundaries meet and the cones there overlap.
 class OverlapSearch {
  public:
   OverlapSearch(const PlacedPair& placed, Tally& tally) : placed_(placed), tally_(tally) {}
 
-  // Have the boundaries met so far?
-  [[nodiscard]] bool has_touched() const { return has_touched_; }
+  // The rings of A that the boundary of B has met so far.
+  [[nodiscard]] const Rings& touched_rings() const { return touched_rings_; }
 
   template <class Visit>
   bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
@@ -52,7 +57,7 @@ class OverlapSearch {
     if (q_start * q_end < 0 && p_start * p_end < 0) {
       return !is_sum_of_touches(i, j);
     }
-    has_touched_ = true;
+    add_touch(i);
     if (q_start == 0 && p_start == 0) {
       return overlap_in_vertices(i, j);
     }
@@ -63,6 +68,14 @@ class OverlapSearch {
   }
 
  private:
+  // An edge of A.
+  void add_touch(Index edge) {
+    const Index ring = placed_.a.boundary.layout.ring_of(edge);
+    if (std::find(touched_rings_.begin(), touched_rings_.end(), ring) == touched_rings_.end()) {
+      touched_rings_.push_back(ring);
+    }
+  }
+
   // Both edges lie on one line.
   bool overlaps_on_line(Index i, Index j) {
     const SumPoint p = placed_.a.vertex(i);
@@ -84,7 +97,7 @@ class OverlapSearch {
     if ((start_to_start < 0 && end_to_start < 0) || (start_to_end > 0 && end_to_end > 0)) {
       return false;
     }
-    has_touched_ = true;
+    add_touch(i);
     if (start_to_start == 0) {
       return overlap_in_vertices(i, j);
     }
@@ -116,14 +129,44 @@ class OverlapSearch {
         return are_equal(placed_.a.vertex(k), placed_.b.vertex(l), tally_);
       });
     });
-    has_touched_ = has_touched_ || is_sum;
+    if (is_sum) {
+      add_touch(i);
+    }
     return is_sum;
   }
 
   const PlacedPair& placed_;
   Tally& tally_;
-  bool has_touched_ = false;
+  Rings touched_rings_;
 };
+
+// The boundary of B meets that of A in these rings at most, and no solid cones overlap there. Does
+// one solid hold points of the other?
+bool is_inside(const PlacedPair& placed, const Rings& touched_rings, Tally& tally) {
+  assert(!placed.b.is_complement());
+  const Point offset = placed.offset();
+  const double slack = placed.pair.slack;
+  if (touched_rings.empty() && holds(placed.a, placed.b.vertex(0), offset, slack, tally)) {
+    return true;
+  }
+  const RingLayout& rings = placed.a.boundary.layout;
+  const auto is_in_b = [&](Index ring) {
+    const Index first = rings.begin(ring);
+    const Point relative = placed.a.boundary.relative(first);
+    return holds(placed.b, placed.a.vertex(first), {relative.x - offset.x, relative.y - offset.y},
+                 slack, tally);
+  };
+  if (!placed.a.is_complement()) {
+    return touched_rings.empty() && is_in_b(0);
+  }
+  for (Index ring = 0; ring < rings.ring_count(); ++ring) {
+    if (std::find(touched_rings.begin(), touched_rings.end(), ring) == touched_rings.end() &&
+        is_in_b(ring)) {
+      return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -132,14 +175,11 @@ Relation relation(const PlacedPair& placed, Tally& tally) {
   if (PairDescent(placed, search).run()) {
     return Relation::overlapping;
   }
-  if (search.has_touched()) {
-    return Relation::touching;
+  const Rings& touched_rings = search.touched_rings();
+  if (is_inside(placed, touched_rings, tally)) {
+    return Relation::overlapping;
   }
-  const Point offset = placed.offset();
-  const double slack = placed.pair.slack;
-  const bool is_inside = holds(placed.a, placed.b.vertex(0), offset, slack, tally) ||
-                         holds(placed.b, placed.a.vertex(0), {-offset.x, -offset.y}, slack, tally);
-  return is_inside ? Relation::overlapping : Relation::apart;
+  return touched_rings.empty() ? Relation::apart : Relation::touching;
 }
 
 }  // namespace gcv

@@ -16,7 +16,8 @@ enum class Relation : std::int8_t { apart = 1, touching = 0, overlapping = -1 };
 //
 // Let the boundaries meet, and no solid cones overlap where they do. Then the polygons touch:
 // neither lies inside the other, because both are connected. Where the boundaries do not meet, one
-// vertex of each outer ring tells whether one polygon lies inside the other.
+// vertex of each outer ring tells whether one polygon lies inside the other. A may be a complement.
+// Its solid is one for each ring, and each of these is asked alone.
 Relation relation(const PlacedPair& placed, Tally& tally);
 
 }  // namespace gcv

@@ -28,7 +28,7 @@ struct Steps {
 };
 
 // All of at most two doubles each way but none at all, from the shortest on.
-using AllSteps = std::array<Steps, 24>;
+using AllSteps = std::array<Steps, NearbyPositions::other_count>;
 
 AllSteps all_steps() {
   AllSteps all{};
@@ -53,29 +53,24 @@ bool is_within_two_ulps(int steps, int side_of_exact) {
 
 }  // namespace
 
-UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact, Tally& tally) {
-  const Point nearest = nearest_point(exact, {0, 0}, tally);
-  if (!std::isfinite(nearest.x) || !std::isfinite(nearest.y)) {
-    return {nearest, Relation::overlapping};
-  }
-  const Relation there = relation(PlacedPair(pair, nearest), tally);
-  if (there != Relation::overlapping) {
-    return {nearest, there};
-  }
+std::optional<Point> NearbyPositions::other(std::size_t k) {
   static const AllSteps steps = all_steps();
-  const int side_x = compare_x(exact, nearest.x, tally);
-  const int side_y = compare_y(exact, nearest.y, tally);
-  for (const Steps& step : steps) {
-    const Point position{stepped(nearest.x, step.x), stepped(nearest.y, step.y)};
-    if (is_within_two_ulps(step.x, side_x) && is_within_two_ulps(step.y, side_y) &&
-        std::isfinite(position.x) && std::isfinite(position.y)) {
-      const Relation relation_there = relation(PlacedPair(pair, position), tally);
-      if (relation_there != Relation::overlapping) {
-        return {position, relation_there};
-      }
-    }
+  if (!sides_) {
+    sides_ = {compare_x(exact_, shift_, nearest_.x, tally_),
+              compare_y(exact_, shift_, nearest_.y, tally_)};
   }
-  return {nearest, Relation::overlapping};
+  const Steps& step = steps[k];
+  const Point position{stepped(nearest_.x, step.x), stepped(nearest_.y, step.y)};
+  const bool is_near = is_within_two_ulps(step.x, sides_->x) &&
+                       is_within_two_ulps(step.y, sides_->y) && std::isfinite(position.x) &&
+                       std::isfinite(position.y);
+  return is_near ? std::optional(position) : std::nullopt;
+}
+
+UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact, Tally& tally) {
+  return usable_position(exact, {0, 0}, tally, [&](const Point& position) {
+    return relation(PlacedPair(pair, position), tally);
+  });
 }
 
 }  // namespace gcv

@@ -51,23 +51,23 @@ Point nearest_point(const ExactPoint& p, const Point& shift, Tally& tally) {
   return p.is_sum ? nearest_point(p.sum, tally, shift) : nearest_crossing(p.s, p.t, tally, shift);
 }
 
-int compare_x(const ExactPoint& p, double x, Tally& tally) {
+int compare_x(const ExactPoint& p, const Point& shift, double x, Tally& tally) {
   if (p.is_sum) {
-    return compare_sums(p.sum.a.x, p.sum.b.x, x, 0, tally);
+    return compare_sums(p.sum.a.x, p.sum.b.x, x, -shift.x, tally);
   }
   const SumEdge& s = p.s.from.x != p.s.to.x ? p.s : p.t;
   const SumEdge& t = p.s.from.x != p.s.to.x ? p.t : p.s;
-  const SumEdge upright{{{x, 0}, {0, 0}}, {0, 0}, {0, 1}, 0, 1};
+  const SumEdge upright{{{x, 0}, {-shift.x, 0}}, {0, 0}, {0, 1}, 0, 1};
   const int order = compare_crossings(s, t, upright, tally);
   return s.from.x < s.to.x ? order : -order;
 }
-int compare_y(const ExactPoint& p, double y, Tally& tally) {
+int compare_y(const ExactPoint& p, const Point& shift, double y, Tally& tally) {
   if (p.is_sum) {
-    return compare_sums(p.sum.a.y, p.sum.b.y, y, 0, tally);
+    return compare_sums(p.sum.a.y, p.sum.b.y, y, -shift.y, tally);
   }
   const SumEdge& s = p.s.from.y != p.s.to.y ? p.s : p.t;
   const SumEdge& t = p.s.from.y != p.s.to.y ? p.t : p.s;
-  const SumEdge level{{{0, y}, {0, 0}}, {0, 0}, {1, 0}, 1, 0};
+  const SumEdge level{{{0, y}, {0, -shift.y}}, {0, 0}, {1, 0}, 1, 0};
   const int order = compare_crossings(s, t, level, tally);
   return s.from.y < s.to.y ? order : -order;
 }

@@ -22,9 +22,9 @@ struct ExactPoint {
 // Each coordinate of p + shift to the nearest double, ties to even; infinite if that is not finite.
 Point nearest_point(const ExactPoint& p, const Point& shift, Tally& tally);
 
-// The sign of a coordinate minus a double.
-int compare_x(const ExactPoint& p, double x, Tally& tally);
-int compare_y(const ExactPoint& p, double y, Tally& tally);
+// The sign of a coordinate of p + shift minus a double.
+int compare_x(const ExactPoint& p, const Point& shift, double x, Tally& tally);
+int compare_y(const ExactPoint& p, const Point& shift, double y, Tally& tally);
 
 // The side of the line of s on which the point lies: 1 left, -1 right, 0 on the line.
 int side(const SumEdge& s, const ExactPoint& p, Tally& tally);

@@ -32,19 +32,19 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
   });
 }
 
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally) {
   Grid grid;
-  grid.include(s);
-  grid.include(t);
-  grid.include(r);
+  for (const SumEdge* edge : {&s, &t, &q, &r}) {
+    grid.include(*edge);
+  }
   return with_integers(4 * grid.bits() + 8, tally, [&]<class Integer>() {
-    const auto ds = vector_between<Integer>(grid, s.from, s.to);
     const auto dt = vector_between<Integer>(grid, t.from, t.to);
     const auto dr = vector_between<Integer>(grid, r.from, r.to);
     const Integer nt = cross(vector_between<Integer>(grid, s.origin, t.origin), dt);
-    const Integer nr = cross(vector_between<Integer>(grid, s.origin, r.origin), dr);
-    const Integer det = cross(ds, dt);
-    const Integer der = cross(ds, dr);
+    const Integer nr = cross(vector_between<Integer>(grid, q.origin, r.origin), dr);
+    const Integer det = cross(vector_between<Integer>(grid, s.from, s.to), dt);
+    const Integer der = cross(vector_between<Integer>(grid, q.from, q.to), dr);
     assert(sign(det) != 0 && sign(der) != 0);
     return sign(Integer(nt * der - nr * det)) * sign(det) * sign(der);
   });

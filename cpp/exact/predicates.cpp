@@ -188,25 +188,26 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
 // The lo parts are below 4u of the hi parts. The roundings of the sum of the lo parts are below
 // 16u^2. The rounding of the last sum keeps the sign. The smallest normal double covers quotients
 // that underflow. Other underflows are far below the errors of numbers that are in range.
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
-  const DoubleDoubleParameter p = double_double_parameter(s, t);
-  const DoubleDoubleParameter q = double_double_parameter(s, r);
-  const double hi = p.hi - q.hi;
-  const double difference = hi + (rounding_error(p.hi, -q.hi, hi) + (p.lo - q.lo));
-  const double error = p.error + q.error +
-                       32 * unit_roundoff * unit_roundoff * (std::abs(p.hi) + std::abs(q.hi)) +
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally) {
+  const DoubleDoubleParameter x = double_double_parameter(s, t);
+  const DoubleDoubleParameter y = double_double_parameter(q, r);
+  const double hi = x.hi - y.hi;
+  const double difference = hi + (rounding_error(x.hi, -y.hi, hi) + (x.lo - y.lo));
+  const double error = x.error + y.error +
+                       32 * unit_roundoff * unit_roundoff * (std::abs(x.hi) + std::abs(y.hi)) +
                        std::numeric_limits<double>::min();
   if (std::abs(difference) > 2 * error) {
     ++tally.fixed_width;
     return sign_of(difference);
   }
-  if (p.is_fraction && q.is_fraction) {
-    if (const std::optional<int> order = compare_products(p.n, q.d, q.n, p.d)) {
+  if (x.is_fraction && y.is_fraction) {
+    if (const std::optional<int> order = compare_products(x.n, y.d, y.n, x.d)) {
       ++tally.fixed_width;
-      return *order * sign_of(p.d) * sign_of(q.d);
+      return *order * sign_of(x.d) * sign_of(y.d);
     }
   }
-  return exact::compare_crossings(s, t, r, tally);
+  return exact::compare_crossings(s, t, q, r, tally);
 }
 
 }  // namespace gcv

@@ -29,8 +29,13 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally);
 int compare_sums(double a, double b, double c, double d, Tally& tally);
 
 // The sign of lambda_t - lambda_r. The line of t crosses the line of s in o_s + lambda_t d_s, and
-// the line of r in o_s + lambda_r d_s. Neither t nor r may be parallel to s.
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally);
+// the line of r crosses that of q in o_q + lambda_r d_q. Neither may be parallel to the other.
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally);
+// The same where both cross the line of s.
+inline int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+  return compare_crossings(s, t, s, r, tally);
+}
 
 // Doubles that enclose lambda_t, maybe -inf and inf. Disjoint intervals decide compare_crossings.
 struct Interval {

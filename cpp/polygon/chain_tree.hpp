@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Bounding volume hierarchy over the edges of a boundary chain, with boxes. A node has up to four
-// children. Their boxes lie side by side, so that one SIMD operation tests all four. The shape of
-// the tree depends on the number of edges only.
+// Bounding volume hierarchy over the edges of a boundary chain, with boxes; or over other boxes
+// that are in an order in which neighbours are near. A node has up to four children. Their boxes
+// lie side by side, so that one SIMD operation tests all four. The shape of the tree depends on the
+// number of edges only.
 #pragma once
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -52,6 +54,16 @@ struct ChainTree {
   }
 };
 
+// The box of all children.
+inline Box hull_of(const ChainTree::Block& block) {
+  return hull_of(hull_of(block.box(0), block.box(1)), hull_of(block.box(2), block.box(3)));
+}
+// The children that there are, as bits. The boxes of missing ones hold no point. But where numbers
+// overflow, no box is apart from another, not even these.
+inline unsigned children_of(const ChainTree::Block& block) {
+  return ~((SimdDouble::load(block.x0) > SimdDouble::load(block.x1)).bits()) & SimdDouble::all;
+}
+
 // The edges of closed rings, one ring after the other.
 class EdgeChain {
  public:
@@ -72,6 +84,42 @@ class EdgeChain {
   const RingLayout& layout_;
   PointVector points_;
 };
+
+// Builds the tree over `count` boxes, at least one. box(k) is that of number k. O(n).
+template <class BoxOf>
+ChainTree build_tree(std::uint32_t count, BoxOf box) {
+  constexpr std::uint32_t width = ChainTree::width;
+  ChainTree tree;
+  std::uint32_t counts[ChainTree::most_depths];  // blocks of each level, from the edges up
+  std::size_t depths = 0;
+  std::uint32_t nodes = count;
+  do {
+    nodes = (nodes + width - 1) / width;
+    counts[depths++] = nodes;
+  } while (nodes > 1);
+  std::uint32_t total = 0;
+  tree.first_block.resize(depths);
+  for (std::size_t depth = 0; depth < depths; ++depth) {
+    tree.first_block[depth] = total;
+    total += counts[depths - 1 - depth];
+  }
+  tree.blocks.resize(total);
+  const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::uint32_t lanes,
+                        const auto& box_of_lane) {
+    for (std::uint32_t k = 0; k < blocks * width; ++k) {
+      tree.blocks[first + k / width].put(k % width, k < lanes ? box_of_lane(k) : empty_box);
+    }
+  };
+  fill(tree.first_block.back(), counts[0], count, box);
+  for (std::size_t level = 1; level < depths; ++level) {
+    const std::size_t depth = depths - 1 - level;
+    fill(tree.first_block[depth], counts[level], counts[level - 1],
+         [&](std::uint32_t k) { return hull_of(tree.blocks[tree.first_block[depth + 1] + k]); });
+  }
+  assert(depths <= ChainTree::most_depths && counts[depths - 1] == 1);
+  tree.box = hull_of(tree.blocks.front());
+  return tree;
+}
 
 // Builds the tree over those edges. O(n).
 ChainTree build_chain_tree(const EdgeChain& chain);

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Answers to a question for many translations or positions: all or nothing, on several threads.
+#pragma once
+
+#include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+#include "contacts.hpp"
+#include "error.hpp"
+#include "gcv/gcv.h"
+#include "options.hpp"
+#include "parallel.hpp"
+#include "task.hpp"
+
+namespace gcv::capi {
+
+// After how many translations progress is reported. Hard questions take a time that grows with the
+// number of vertices.
+inline std::uint64_t translations_a_report(std::uint64_t size_a, std::uint64_t size_b) {
+  constexpr std::uint64_t most_vertices = std::uint64_t{1} << 16;  // of all translations
+  return std::clamp<std::uint64_t>(most_vertices / (size_a + size_b), 1, Task::portion);
+}
+
+// Writes to out[k], for each k below `count`, once all are known, what answer(k, tally, task)
+// gives. begin(tally) makes the answer for some of them, which it serves one after the other.
+template <class Begin, class Result>
+void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
+              Begin begin) {
+  constexpr std::uint64_t most = 128;  // at a time
+  const auto block = static_cast<std::size_t>(std::min(a_report, most));
+  constexpr std::size_t few = 8;  // that need no memory of their own
+  Task task(threads_of(options), options.progress, options.progress_context, a_report);
+  task.begin(count);
+  boost::container::small_vector<Result, few> results(count);
+  for_each_in_parallel((count + block - 1) / block, task.threads(),
+                       [&](std::size_t number) {
+                         task.advance(0);  // other threads go on after one that was cancelled
+                         Tally tally;
+                         auto answer = begin(tally, task);
+                         const std::size_t first = number * block;
+                         const std::size_t end = std::min(count, first + block);
+                         for (std::size_t k = first; k < end; ++k) {
+                           results[k] = answer(k);
+                         }
+                         task.advance(end - first);
+                       },
+                       [&] { task.watch(); });
+  task.finish();
+  std::copy(results.begin(), results.end(), out);
+}
+
+// Throws Error: range, where a number of the contact is beyond the largest double.
+inline void require_finite(const Contact& contact, const char* name, std::size_t number) {
+  if (is_out_of_range(contact)) {
+    throw Error(Status::range, "%s: number %zu: a distance or a point is beyond the largest double",
+                name, number);
+  }
+}
+
+// Throws Error: range, where a coordinate of the position is beyond the largest double.
+inline void require_finite(const Point& position, const char* name, std::size_t number) {
+  if (!std::isfinite(position.x) || !std::isfinite(position.y)) {
+    throw Error(Status::range, "%s: number %zu: the position is beyond the largest double", name,
+                number);
+  }
+}
+
+}  // namespace gcv::capi

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// When a box that moves meets others.
+#pragma once
+
+#include <cstdint>
+
+#include "pair_descent.hpp"
+#include "point.hpp"
+
+namespace gcv {
+
+struct SweptBox {
+  Box box;       // at the start
+  Point motion;  // until time 1
+  double slack;  // how far coordinates may be off
+
+  // Calls visit(lane) for the children of a node whose boxes it may meet, the first one first, as
+  // long as that is not after `limit`, which may fall on the way. Ends when a visit returns true.
+  template <class Visit>
+  bool any_child(const ChainTree::Block& block, const double& limit, Visit visit) const {
+    SimdDouble first_x;
+    SimdDouble last_x;
+    SimdDouble first_y;
+    SimdDouble last_y;
+    times(block.x0, block.x1, box.x0, box.x1, motion.x, first_x, last_x);
+    times(block.y0, block.y1, box.y0, box.y1, motion.y, first_y, last_y);
+    double first[ChainTree::width];
+    double last[ChainTree::width];
+    larger(first_x, first_y).store(first);
+    smaller(last_x, last_y).store(last);
+    unsigned lanes = 0;
+    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
+      const double reach = (1 + 0x1p-48) * last[lane] + 0x1p-48;
+      const bool is_met = !(first[lane] > reach) && !(last[lane] < -0x1p-48);
+      lanes |= static_cast<unsigned>(is_met) << lane;
+    }
+    return any_in_order(lanes & children_of(block), first, limit, visit);
+  }
+
+ private:
+  // When it meets each of four boxes along one axis: from `first` to `last`.
+  void times(const double* low, const double* high, double box_low, double box_high, double speed,
+             SimdDouble& first, SimdDouble& last) const {
+    const double inverse = 1 / speed;
+    const SimdDouble to_low = (SimdDouble::load(low) + -box_high) + -slack;
+    const SimdDouble to_high = (SimdDouble::load(high) + -box_low) + slack;
+    const SimdDouble p = inverse * to_low;
+    const SimdDouble q = inverse * to_high;
+    first = inverse > 0 ? p : q;
+    last = inverse > 0 ? q : p;
+  }
+};
+
+}  // namespace gcv

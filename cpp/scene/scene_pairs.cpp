@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "scene_pairs.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "distance.hpp"
+#include "pair_search.hpp"
+#include "placed_box.hpp"
+
+namespace gcv {
+
+namespace {
+
+// The relation of two solids, if they are no further than a distance from each other.
+std::optional<Relation> relation_within(const Solid& a, const Boundary& b, const Point& position,
+                                        double distance, Tally& tally) {
+  const PolygonPair pair(a.boundary, b);
+  return relation_within(PlacedPair(pair, a.position, position), distance, tally);
+}
+
+}  // namespace
+
+std::vector<ScenePair> near_solids(const Scene& scene, const Query& query, const Boundary& moving,
+                                   const Point& position, double distance, Task& task) {
+  std::vector<Solid> solids;
+  if (const std::optional<Solid> container = scene.container();
+      container && query.admits_container()) {
+    solids.push_back(*container);
+  }
+  std::vector<std::uint32_t> slots;
+  any_near(scene, query, widened_outwards(moved_outwards(moving.bounds, position), distance),
+           [&](std::uint32_t slot) {
+             slots.push_back(slot);
+             return false;
+           });
+  std::sort(slots.begin(), slots.end());
+  for (const std::uint32_t slot : slots) {
+    solids.push_back(scene.solid(slot));
+  }
+  std::vector<std::optional<Relation>> relations(solids.size());
+  task.begin(solids.size());
+  for_each_in_parallel(
+      solids.size(), task.threads(),
+      [&](std::size_t k) {
+        Tally tally;
+        relations[k] = relation_within(solids[k], moving, position, distance, tally);
+        task.advance(1);
+      },
+      [&] { task.watch(); });
+  task.finish();
+  std::vector<ScenePair> pairs;
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    if (relations[k]) {
+      pairs.push_back({solids[k].id, 0, *relations[k]});
+    }
+  }
+  return pairs;
+}
+
+PairList near_pairs(const Scene& scene, const Query& query, double distance,
+                    const PairList* previous, Task& task) {
+  PairList list{Snapshot(scene, query), distance, {}};
+  const bool is_useful =
+      previous != nullptr && previous->distance == distance && previous->snapshot.query == query;
+  const Unchanged unchanged =
+      is_useful ? Unchanged(scene, query, previous->snapshot) : Unchanged(scene);
+  list.pairs =
+      PairSearch(scene, query, unchanged, distance)
+          .run<ScenePair>(task, [&](std::vector<ScenePair>& found, const Solid& a, const Solid& b) {
+            Tally tally;
+            if (const auto relation = relation_within(a, b.boundary, b.position, distance, tally)) {
+              found.push_back({a.id, b.id, *relation});
+            }
+          });
+  if (is_useful) {
+    std::vector<ScenePair> fresh = std::exchange(list.pairs, {});
+    std::sort(fresh.begin(), fresh.end());
+    std::vector<ScenePair> kept;
+    std::copy_if(previous->pairs.begin(), previous->pairs.end(), std::back_inserter(kept),
+                 [&](const ScenePair& p) { return unchanged.has(p.a) && unchanged.has(p.b); });
+    list.pairs.reserve(kept.size() + fresh.size());
+    std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(),
+               std::back_inserter(list.pairs));
+  }
+  return list;
+}
+
+}  // namespace gcv

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// When the solids of a scene changed last, for lists that are asked for again.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "query.hpp"
+#include "scene.hpp"
+
+namespace gcv {
+
+struct Snapshot {
+  struct Stamped {
+    Id id;
+    std::uint64_t stamp;
+  };
+
+  Snapshot() = default;  // of no scene
+  Snapshot(const Scene& scene, const Query& asked);
+
+  std::uint64_t family = 0;
+  Query query;
+  std::uint64_t container_stamp = 0;
+  std::vector<Stamped> members;  // those that the query admits, by ids
+};
+
+// Which solids are the same as in a snapshot. Both must have the same query.
+class Unchanged {
+ public:
+  // Nothing is.
+  explicit Unchanged(const Scene& scene) : slots_(scene.members().size(), false) {}
+  Unchanged(const Scene& scene, const Query& query, const Snapshot& before);
+
+  [[nodiscard]] bool has_slot(std::uint32_t slot) const { return slots_[slot]; }
+  [[nodiscard]] bool has_container() const { return container_; }
+  // Of a solid of the snapshot.
+  [[nodiscard]] bool has(Id id) const;
+
+ private:
+  std::vector<bool> slots_;
+  std::vector<Id> ids_;  // of unchanged members, in order
+  bool container_ = false;
+};
+
+}  // namespace gcv
