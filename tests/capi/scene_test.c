@@ -161,6 +161,7 @@ static void ids_that_are_refused(void) {
 static void arguments_that_are_refused(void) {
   static const double bad[][6] = {
       {0, 0, NAN, 0, 1, 1}, {0, 0, 0, INFINITY, 1, 1}, {9, 9, 1, -INFINITY, NAN, 1}};
+  const double good[6] = {0, 0, 1, 1, 2, 2};
   gcv_polygon *square = SQUARE(2), *room = SQUARE(20);
   const gcv_polygon *polygons[3], *holey[3];
   gcv_scene *scene = scene_of_three(square, room);
@@ -180,7 +181,9 @@ static void arguments_that_are_refused(void) {
   CHANGE_REFUSED(GCV_ERR_NULL_ARGUMENT, "polygons", "number 1", scene,
                  gcv_scene_set(scene, members, holey, NULL, 3));
   CHANGE_REFUSED(GCV_ERR_NULL_ARGUMENT, "polygons", "number 1", scene,
-                 gcv_scene_add(scene, holey, bad[0], 2, ids));
+                 gcv_scene_set(scene, members, holey, good, 3));
+  CHANGE_REFUSED(GCV_ERR_NULL_ARGUMENT, "polygons", "number 1", scene,
+                 gcv_scene_add(scene, holey, good, 3, ids));
   CHECK(ids[0] == 77 && ids[1] == 77 && ids[2] == 77);
   CHECK(add(scene, square, 0, 0) == 6);
   gcv_scene_destroy(scene);

@@ -50,7 +50,8 @@ inline std::string text_of(const MemberScene& scene, const std::vector<std::uint
 inline std::string text_of(const gcv_query& query) {
   std::string text = "\nquery: layers " + std::to_string(query.layers) + ", without";
   for (std::size_t k = 0; k < query.ignore_count; ++k) {
-    text += " " + std::to_string(query.ignore[k]);
+    text += ' ';
+    text += std::to_string(query.ignore[k]);
   }
   return text;
 }

@@ -227,7 +227,7 @@ Polygons room_around(Random& random, const MemberScene& scene, double unit) {
       high = {std::max(high[0], place[0]), std::max(high[1], place[1])};
     }
   }
-  const double margin = unit * uniform(random, -1, 2);
+  const double margin = unit * uniform(random, -1, 6);
   low = minus(low, {margin, margin});
   high = plus(high, {margin, margin});
   Polygons room{{low, {high[0], low[1]}, high, {low[0], high[1]}}};
@@ -239,17 +239,28 @@ Polygons room_around(Random& random, const MemberScene& scene, double unit) {
   return room;
 }
 
+// Mostly not that of the container.
 std::size_t random_shape(Random& random, const MemberScene& scene) {
-  return static_cast<std::size_t>(uniform(random, 0, static_cast<int>(scene.shapes.size()) - 1));
+  const auto last = static_cast<int>(scene.shapes.size()) - 1;
+  const auto shape = static_cast<std::size_t>(uniform(random, 0, last));
+  return shape == scene.container && !one_in(random, 6) ? (shape + 1) % scene.shapes.size() : shape;
+}
+
+// One of some places that are far from each other.
+Place sparse_place(Random& random, const Place& base, double unit) {
+  const double x = 32 * uniform(random, -2, 2);
+  return plus(base, {unit * x, unit * (32 * uniform(random, -2, 2))});
 }
 
 // For a shape, in contact with the container or a member or nearly so.
 Place position_beside(Random& random, const MemberScene& scene, std::size_t shape,
                       const Place& base, double unit) {
   const Polygons& rings = scene.shapes[shape];
-  if (scene.members.empty() || (scene.container && one_in(random, 3))) {
-    return scene.container ? random_translation(random, scene.shapes[*scene.container], rings, unit)
-                           : plus(base, random_place(random, unit));
+  if (scene.container && (scene.members.empty() || one_in(random, 3))) {
+    return random_translation(random, scene.shapes[*scene.container], rings, unit);
+  }
+  if (scene.members.empty()) {
+    return plus(base, random_place(random, unit));
   }
   const MemberScene::Member& other = one_of(random, scene.members);
   return plus(other.position, random_translation(random, scene.shapes[other.shape], rings, unit));
@@ -317,10 +328,12 @@ MemberScene member_scene(const RegionFamily& family, Random& random, int most_me
   const Place base = scene.container ? Place{0, 0} : random_base(random, unit);
   for (int k = uniform(random, 0, most_members); k > 0; --k) {
     const std::size_t shape = random_shape(random, scene);
-    const Place position = finite(position_beside(random, scene, shape, base, unit));
+    const Place position = finite(!scene.container && one_in(random, 2)
+                                      ? sparse_place(random, base, unit)
+                                      : position_beside(random, scene, shape, base, unit));
     scene.members.push_back({shape, position, random_layers(random)});
   }
-  if (!scene.container && !scene.members.empty() && one_in(random, 2)) {
+  if (!scene.container && !scene.members.empty() && one_in(random, 3)) {
     scene.container = scene.shapes.size();
     scene.shapes.push_back(room_around(random, scene, unit));
   }
@@ -330,7 +343,7 @@ MemberScene member_scene(const RegionFamily& family, Random& random, int most_me
     const Polygons& other = scene.shapes[random_shape(random, scene)];
     const Place motion = finite(
         random_motion(random, other, scene.shapes[scene.moving], minus(position, base), unit));
-    if (one_in(random, 3)) {  // it is on the way
+    if (!one_in(random, 4)) {  // it is on the way
       position = finite(minus(position, times(uniform(random, 1, 8) / 4.0, motion)));
     }
     scene.positions.push_back(position);
