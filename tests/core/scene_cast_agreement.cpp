@@ -83,7 +83,8 @@ Messages check_scene_casts(const CheckedScene& scene, const MovingPolygon& movin
     const gcv_status status = gcv_scene_cast(scene.handle, moving.handle, positions[k].data(),
                                              motions[k].data(), 1, query, nullptr, &got);
     const Exact end = start + wanted.impact.time * motion;
-    if (is_out_of_range(end)) {
+    const reference::Contact* const contact = wanted_contact({}, wanted.impact.entered);
+    if (is_out_of_range(end) || (contact != nullptr && is_out_of_range(*contact))) {
       ++counts.contacts.out_of_range;
       report(messages, positions[k], motions[k],
              status == GCV_ERR_RANGE ? "" : "an impact, not GCV_ERR_RANGE");
