@@ -41,14 +41,14 @@ class OverlapSearch {
   bool meet(Index i, Index j) {
     const SumEdge p = placed_.a.edge(i);
     const SumEdge q = placed_.b.edge(j);
-    const int q_start = side(p, placed_.b.vertex(j), tally_);
     const int q_end = side(p, placed_.b.vertex(placed_.b.next(j)), tally_);
-    if (q_start * q_end > 0) {
+    const int q_start = side(p, placed_.b.vertex(j), tally_);
+    if (!may_meet(q_start, q_end)) {
       return false;
     }
-    const int p_start = side(q, placed_.a.vertex(i), tally_);
     const int p_end = side(q, placed_.a.vertex(placed_.a.next(i)), tally_);
-    if (p_start * p_end > 0) {
+    const int p_start = side(q, placed_.a.vertex(i), tally_);
+    if (!may_meet(p_start, p_end)) {
       return false;
     }
     if (q_start == 0 && q_end == 0) {
@@ -61,13 +61,14 @@ class OverlapSearch {
     if (q_start == 0 && p_start == 0) {
       return overlap_in_vertices(i, j);
     }
-    if (q_start == 0) {
-      return p_end != 0 && overlap_on_edge(placed_.a, i, placed_.b, j);
-    }
-    return p_start == 0 && q_end != 0 && overlap_on_edge(placed_.b, j, placed_.a, i);
+    return q_start == 0 ? overlap_on_edge(placed_.a, i, placed_.b, j)
+                        : overlap_on_edge(placed_.b, j, placed_.a, i);
   }
 
  private:
+  // The sides of a line on which an edge starts and ends. May it meet the line, but for its end?
+  static bool may_meet(int start, int end) { return start * end < 0 || start == 0; }
+
   // An edge of A.
   void add_touch(Index edge) {
     const Index ring = placed_.a.boundary.layout.ring_of(edge);

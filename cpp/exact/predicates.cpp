@@ -88,11 +88,11 @@ std::optional<int> compare_products(double a, double b, double c, double d) {
 // Most ties are on grids of few bits. There all coordinates are doubles. Most other ties come from
 // the sum of a polygon with itself.
 std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleDoubleVector& w) {
-  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
-    return compare_products(v.x.hi, w.y.hi, v.y.hi, w.x.hi);
-  }
   if (are_equal(v.x, w.x) && are_equal(v.y, w.y)) {
     return 0;
+  }
+  if (v.x.is_double() && v.y.is_double() && w.x.is_double() && w.y.is_double()) {
+    return compare_products(v.x.hi, w.y.hi, v.y.hi, w.x.hi);
   }
   const DoubleDoubleCross cross = double_double_cross(v, w);
   return std::abs(cross.hi) > cross.error ? std::optional(sign_of(cross.hi)) : std::nullopt;
@@ -115,6 +115,10 @@ std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleD
 }
 
 [[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
+  if (s.origin.a == point.a && s.origin.b == point.b) {
+    ++tally.fixed_width;
+    return 0;
+  }
   if (const auto sign = double_double_sign(double_double_vector(s.from, s.to),
                                            double_double_vector(s.origin, point))) {
     ++tally.fixed_width;

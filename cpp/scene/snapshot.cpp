@@ -16,24 +16,38 @@ Snapshot::Snapshot(const Scene& scene, const Query& asked)
 }
 
 Unchanged::Unchanged(const Scene& scene, const Query& query, const Snapshot& before)
-    : slots_(scene.members().size(), false),
+    : before_(&before),
+      slots_(scene.members().size(), false),
+      of_before_(before.members.size(), false),
       container_(scene.container_stamp() == before.container_stamp) {
-  auto old = before.members.begin();
+  std::size_t old = 0;
   for (std::uint32_t slot = 0; slot < slots_.size(); ++slot) {
     const Member& member = scene.members()[slot];
-    while (old != before.members.end() && old->id < member.id) {
+    while (old < before.members.size() && before.members[old].id < member.id) {
       ++old;
     }
-    if (old != before.members.end() && old->id == member.id && old->stamp == member.stamp &&
-        query.admits(member)) {
+    if (old < before.members.size() && before.members[old].id == member.id &&
+        before.members[old].stamp == member.stamp && query.admits(member)) {
       slots_[slot] = true;
-      ids_.push_back(member.id);
+      of_before_[old] = true;
     }
   }
 }
 
 bool Unchanged::has(Id id) const {
-  return id == container_id ? container_ : std::binary_search(ids_.begin(), ids_.end(), id);
+  if (id == container_id) {
+    return container_;
+  }
+  // Ids grow by at least 1. So the index of one is at most that, and mostly it is.
+  const std::vector<Snapshot::Stamped>& members = before_->members;
+  std::size_t k = std::min<std::uint64_t>(id - members.front().id, members.size() - 1);
+  if (members[k].id != id) {
+    k = static_cast<std::size_t>(
+        std::lower_bound(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(k), id,
+                         [](const Snapshot::Stamped& member, Id i) { return member.id < i; }) -
+        members.begin());
+  }
+  return of_before_[k];
 }
 
 }  // namespace gcv

@@ -31,6 +31,7 @@ class Unchanged {
  public:
   // Nothing is.
   explicit Unchanged(const Scene& scene) : slots_(scene.members().size(), false) {}
+  // The snapshot must live longer.
   Unchanged(const Scene& scene, const Query& query, const Snapshot& before);
 
   [[nodiscard]] bool has_slot(std::uint32_t slot) const { return slots_[slot]; }
@@ -39,8 +40,9 @@ class Unchanged {
   [[nodiscard]] bool has(Id id) const;
 
  private:
+  const Snapshot* before_ = nullptr;
   std::vector<bool> slots_;
-  std::vector<Id> ids_;  // of unchanged members, in order
+  std::vector<bool> of_before_;  // members of the snapshot
   bool container_ = false;
 };
 
