@@ -1,0 +1,578 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Scenes after many random changes, and copies of them, against scenes that are made afresh with
+// the same members: the answers are the same to the bit, with and without earlier lists, one by one
+// and many by threads.
+//   scene_sequence_test [--cases=N] [--seed=N]: sequences of each family.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "contact_agreement.hpp"
+#include "contact_scenes.hpp"
+#include "scene_texts.hpp"
+
+namespace gcv::test {
+namespace {
+
+int cases = 4;
+std::uint64_t seed = 1;
+
+using invariants::require;
+using Id = std::uint64_t;
+
+struct Member {
+  std::size_t shape;
+  Point position;
+  std::uint32_t layers;
+};
+
+// What a scene must consist of.
+struct Members {
+  std::map<Id, Member> by_id;
+  std::optional<std::size_t> container;
+};
+
+struct Shapes {
+  std::vector<invariants::PolygonHandle> handles;
+
+  // Throws invariants::Failure where a polygon is not valid.
+  explicit Shapes(const MemberScene& scene) {
+    for (const auto& rings : scene.shapes) {
+      handles.push_back(made(rings));
+    }
+  }
+  [[nodiscard]] const gcv_polygon* operator[](std::size_t k) const { return handles[k].get(); }
+};
+
+invariants::SceneHandle new_scene() {
+  gcv_scene* scene = nullptr;
+  require(gcv_scene_create(&scene), "a scene");
+  return invariants::SceneHandle(scene);
+}
+
+// ---------------------------------------------------------------------- questions --
+
+struct Asked {
+  const gcv_polygon* moving;
+  Points positions;
+  Points motions;
+  std::uint32_t layers;
+  std::vector<Id> ignored;
+  double distance;
+  double slope;
+};
+
+template <class Element>
+void append(std::string& bytes, const Element& element) {
+  bytes.append(reinterpret_cast<const char*>(&element), sizeof element);
+}
+
+template <class Handle>
+using Owner = std::unique_ptr<Handle, invariants::Destroy>;
+
+// The answer, or that there is none in range.
+template <class Handle, class Call>
+Owner<Handle> list_of(std::string& bytes, Call call) {
+  Handle* list = nullptr;
+  const gcv_status status = call(&list);
+  if (status != GCV_ERR_RANGE) {
+    require(status, "a list");
+  }
+  append(bytes, status);
+  return Owner<Handle>(list);
+}
+
+// Of the ids of a scene: the same for all scenes that have the same members.
+using Name = std::map<Id, Id>;
+
+Id name_of(const Name& names, Id id) {
+  const auto there = names.find(id);
+  return there == names.end() ? id : there->second;
+}
+
+std::string bytes_of(const gcv_pair_list* list, const Name& names) {
+  std::string bytes;
+  for (gcv_pair pair : invariants::elements(gcv_pair_list_pairs, list)) {
+    pair.a = name_of(names, pair.a);
+    pair.b = name_of(names, pair.b);
+    append(bytes, pair);
+  }
+  return bytes;
+}
+
+void rename(gcv_contact& contact, const Name& names) {
+  contact.id_a = name_of(names, contact.id_a);
+  contact.id_b = name_of(names, contact.id_b);
+}
+
+std::string bytes_of(const gcv_contact_list* list, const Name& names) {
+  std::string bytes;
+  for (gcv_contact contact : invariants::elements(gcv_contact_list_contacts, list)) {
+    rename(contact, names);
+    append(bytes, contact);
+  }
+  return bytes;
+}
+
+class Asker {
+ public:
+  // `names` are those of the scene's ids; those to ignore are names.
+  Asker(const gcv_scene* scene, const Asked& asked, const Name& names)
+      : scene_(scene), asked_(asked), names_(names) {
+    for (const Id name : asked.ignored) {
+      const auto same = std::find_if(names.begin(), names.end(),
+                                     [&](const auto& id) { return id.second == name; });
+      ignored_.push_back(same == names.end() ? name : same->first);
+    }
+    query_.layers = asked.layers;
+    query_.ignore = ignored_.data();
+    query_.ignore_count = ignored_.size();
+  }
+
+  // Everything but lists of the scene alone.
+  [[nodiscard]] std::string about_moving() const {
+    std::string bytes;
+    for (std::size_t k = 0; k < asked_.positions.size(); ++k) {
+      append_place(k, bytes);
+    }
+    const auto near = list_of<gcv_pair_list>(bytes, [&](gcv_pair_list** out) {
+      return gcv_scene_near(scene_, asked_.moving, asked_.positions.front().data(), asked_.distance,
+                            &query_, nullptr, out);
+    });
+    return bytes + bytes_of(near.get(), names_);
+  }
+
+  [[nodiscard]] std::string pairs(const gcv_pair_list* previous, Owner<gcv_pair_list>& out) const {
+    std::string bytes;
+    out = list_of<gcv_pair_list>(bytes, [&](gcv_pair_list** list) {
+      return gcv_scene_pairs(scene_, previous, asked_.distance, &query_, nullptr, list);
+    });
+    return bytes + bytes_of(out.get(), names_);
+  }
+
+  [[nodiscard]] std::string contacts(const gcv_contact_list* previous,
+                                     Owner<gcv_contact_list>& out) const {
+    std::string bytes;
+    out = list_of<gcv_contact_list>(bytes, [&](gcv_contact_list** list) {
+      return gcv_scene_contacts(scene_, previous, asked_.distance, asked_.slope, &query_, nullptr,
+                                list);
+    });
+    return out ? bytes + bytes_of(out.get(), names_) : bytes;
+  }
+
+ private:
+  void append_place(std::size_t k, std::string& bytes) const {
+    const double* const position = asked_.positions[k].data();
+    std::int8_t relation = 77;
+    require(gcv_scene_relation(scene_, asked_.moving, position, 1, &query_, nullptr, &relation),
+            "a relation");
+    append(bytes, relation);
+    gcv_separation separation{};
+    append(bytes,
+           gcv_scene_distance(scene_, asked_.moving, position, 1, &query_, nullptr, &separation));
+    rename(separation.nearest, names_);
+    append(bytes, separation);
+    gcv_impact impact{};
+    append(bytes, gcv_scene_cast(scene_, asked_.moving, position, asked_.motions[k].data(), 1,
+                                 &query_, nullptr, &impact));
+    rename(impact.contact, names_);
+    append(bytes, impact);
+  }
+
+  const gcv_scene* scene_;
+  const Asked& asked_;
+  const Name& names_;
+  std::vector<Id> ignored_;
+  gcv_query query_ GCV_QUERY_INIT;
+};
+
+// ------------------------------------------------------------------------ changes --
+
+// A scene, what it must consist of, and its last lists.
+struct Changing {
+  invariants::SceneHandle scene;
+  Members members;
+  Owner<gcv_pair_list> pairs;
+  Owner<gcv_contact_list> contacts;
+};
+
+class Sequence {
+ public:
+  Sequence(const MemberScene& description, const Shapes& shapes, Random& random)
+      : description_(description), shapes_(shapes), random_(random) {
+    scenes_.push_back({new_scene(), {}, {}, {}});
+    choose_questions();
+  }
+
+  // Some changes of one of the scenes, and all questions to it. Gives what is wrong, or "".
+  std::string step() {
+    Changing& changing = scenes_[below(scenes_.size())];
+    for (std::size_t count = below(5); count > 0; --count) {
+      change(changing);
+    }
+    if (below(8) == 0) {
+      choose_questions();
+    }
+    std::string wrong = difference(changing);
+    if (wrong.empty() && below(10) == 0) {
+      copy(changing);
+    }
+    return wrong;
+  }
+
+ private:
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(uniform(random_, 0, static_cast<int>(count) - 1));
+  }
+
+  Point any_position() {
+    const std::size_t members = description_.members.size();
+    const std::size_t k = below(members + description_.positions.size());
+    return k < members ? description_.members[k].position : description_.positions[k - members];
+  }
+
+  void choose_questions() {
+    asked_ = {shapes_[description_.moving],
+              description_.positions,
+              description_.motions,
+              UINT32_MAX,
+              {},
+              0,
+              0};
+    asked_.positions.resize(6);
+    if (below(2) == 0) {
+      asked_.layers = static_cast<std::uint32_t>(below(8));
+      asked_.ignored.assign(below(3), 1 + below(8));
+    }
+    asked_.slope = below(2) == 0 ? 0 : 0.125;
+    const std::size_t at = below(asked_.motions.size());
+    asked_.distance = below(2) == 0 ? 0 : std::abs(asked_.motions[at][below(2)]);
+  }
+
+  void change(Changing& changing) {
+    std::map<Id, Member>& by_id = changing.members.by_id;
+    constexpr std::size_t most = 14;
+    const std::size_t kind = by_id.empty() ? 0 : below(9);
+    if (kind <= 2) {
+      if (by_id.size() < most) {
+        add(changing, 1 + below(3));
+      }
+    } else if (kind <= 7) {
+      change_some(changing, kind);
+    } else {
+      set_container(changing);
+    }
+  }
+
+  void add(Changing& changing, std::size_t count) {
+    std::vector<Member> members;
+    std::vector<const gcv_polygon*> polygons;
+    Points positions;
+    for (std::size_t k = 0; k < count; ++k) {
+      members.push_back({below(shapes_.handles.size()), any_position(), UINT32_MAX});
+      polygons.push_back(shapes_[members[k].shape]);
+      positions.push_back(members[k].position);
+    }
+    std::vector<Id> ids(count);
+    require(gcv_scene_add(changing.scene.get(), polygons.data(), positions.front().data(), count,
+                          ids.data()),
+            "members");
+    for (std::size_t k = 0; k < count; ++k) {
+      EXPECT_TRUE(changing.members.by_id.emplace(ids[k], members[k]).second);
+    }
+  }
+
+  // In any order.
+  std::vector<Id> some_ids(const Members& members) {
+    std::vector<Id> ids;
+    for (const auto& [id, member] : members.by_id) {
+      ids.insert(ids.begin() + static_cast<std::ptrdiff_t>(below(ids.size() + 1)), id);
+    }
+    ids.resize(1 + below(std::min<std::size_t>(ids.size(), 4)));
+    return ids;
+  }
+
+  void change_some(Changing& changing, std::size_t kind) {
+    enum { remove = 3, layers, polygons, positions, both };
+    gcv_scene* const scene = changing.scene.get();
+    const std::vector<Id> ids = some_ids(changing.members);
+    std::vector<std::uint32_t> new_layers;
+    std::vector<const gcv_polygon*> new_polygons;
+    Points new_positions;
+    for (const Id id : ids) {
+      Member& member = changing.members.by_id.at(id);
+      if (kind == layers) {
+        member.layers = static_cast<std::uint32_t>(below(8));
+      }
+      if (kind == polygons || kind == both) {
+        member.shape = below(shapes_.handles.size());
+      }
+      if (kind == positions || kind == both) {
+        member.position = any_position();
+      }
+      new_layers.push_back(member.layers);
+      new_polygons.push_back(shapes_[member.shape]);
+      new_positions.push_back(member.position);
+    }
+    if (kind == remove) {
+      require(gcv_scene_remove(scene, ids.data(), ids.size()), "their end");
+      std::erase_if(changing.members.by_id, [&](const auto& member) {
+        return std::find(ids.begin(), ids.end(), member.first) != ids.end();
+      });
+    } else if (kind == layers) {
+      require(gcv_scene_set_layers(scene, ids.data(), new_layers.data(), ids.size()), "layers");
+    } else {
+      require(gcv_scene_set(scene, ids.data(), kind == positions ? nullptr : new_polygons.data(),
+                            kind == polygons ? nullptr : new_positions.front().data(), ids.size()),
+              "a change");
+    }
+  }
+
+  void set_container(Changing& changing) {
+    std::optional<std::size_t>& container = changing.members.container;
+    container = below(3) == 0 ? std::nullopt : std::optional(below(shapes_.handles.size()));
+    const gcv_polygon* const polygon = container ? shapes_[*container] : nullptr;
+    require(gcv_scene_set_container(changing.scene.get(), polygon), "a container");
+  }
+
+  // The copy takes the place of another one, where there are many.
+  void copy(const Changing& changing) {
+    gcv_scene* out = nullptr;
+    require(gcv_scene_copy(changing.scene.get(), &out), "a copy");
+    Changing copied{invariants::SceneHandle(out), changing.members, {}, {}};
+    constexpr std::size_t most = 3;
+    if (scenes_.size() < most) {
+      scenes_.push_back(std::move(copied));
+    } else {
+      scenes_[below(most)] = std::move(copied);
+    }
+  }
+
+  // The same members in a new scene; the names of its ids are the ids in the changed one.
+  invariants::SceneHandle made_afresh(const Members& members, Name& names) const {
+    invariants::SceneHandle scene = new_scene();
+    for (const auto& [name, member] : members.by_id) {
+      const gcv_polygon* const polygon = shapes_[member.shape];
+      Id id = 0;
+      require(gcv_scene_add(scene.get(), &polygon, member.position.data(), 1, &id), "a member");
+      require(gcv_scene_set_layers(scene.get(), &id, &member.layers, 1), "layers");
+      names[id] = name;
+    }
+    if (members.container) {
+      require(gcv_scene_set_container(scene.get(), shapes_[*members.container]), "a container");
+    }
+    return scene;
+  }
+
+  std::string difference(Changing& changing) {
+    Name same;
+    for (const auto& [id, member] : changing.members.by_id) {
+      same[id] = id;
+    }
+    Name names;
+    const invariants::SceneHandle fresh = made_afresh(changing.members, names);
+    const Asker asker(changing.scene.get(), asked_, same);
+    const Asker fresh_asker(fresh.get(), asked_, names);
+    if (invariants::elements(gcv_scene_ids, changing.scene.get()).size() != same.size()) {
+      return "other members";
+    }
+    if (asker.about_moving() != fresh_asker.about_moving()) {
+      return "another answer about the moving polygon";
+    }
+    return list_difference(changing, asker, fresh_asker);
+  }
+
+  std::string list_difference(Changing& changing, const Asker& asker, const Asker& fresh) {
+    Owner<gcv_pair_list> pairs;
+    Owner<gcv_pair_list> other_pairs;
+    const std::string expected_pairs = fresh.pairs(nullptr, other_pairs);
+    if (asker.pairs(nullptr, other_pairs) != expected_pairs) {
+      return "other pairs";
+    }
+    const Changing& relative = scenes_[below(scenes_.size())];
+    if (asker.pairs(relative.pairs.get(), pairs) != expected_pairs) {
+      return "other pairs with an earlier list";
+    }
+    Owner<gcv_contact_list> contacts;
+    Owner<gcv_contact_list> other_contacts;
+    const std::string expected = fresh.contacts(nullptr, other_contacts);
+    if (asker.contacts(nullptr, other_contacts) != expected) {
+      return "other contacts";
+    }
+    if (asker.contacts(relative.contacts.get(), contacts) != expected) {
+      return "other contacts with an earlier list";
+    }
+    if (pairs) {
+      changing.pairs = std::move(pairs);
+    }
+    if (contacts) {
+      changing.contacts = std::move(contacts);
+    }
+    return "";
+  }
+
+  const MemberScene& description_;
+  const Shapes& shapes_;
+  Random& random_;
+  std::vector<Changing> scenes_;  // each copied from another one
+  Asked asked_;
+};
+
+// Calls check(description, shapes, random) for cases of the family whose polygons are valid.
+template <class Check>
+void for_each_case(const RegionFamily& family, int count, int positions, Check check) {
+  Random random(seed);
+  for (int k = 0; k < count;) {
+    const MemberScene description = member_scene(family, random, 14, positions);
+    std::optional<Shapes> shapes;
+    try {
+      shapes.emplace(description);
+    } catch (const invariants::Failure&) {
+      continue;
+    }
+    const std::string wrong = check(description, *shapes, random);
+    EXPECT_EQ(wrong, "") << "case " << k << text_of(description, {});
+    ++k;
+  }
+}
+
+class Sequences : public ::testing::TestWithParam<RegionFamily> {};
+
+TEST_P(Sequences, OfChangesGiveWhatIsMadeAfresh) {
+  for_each_case(GetParam(), cases, 8,
+                [&](const MemberScene& description, const Shapes& shapes, Random& random) {
+                  Sequence sequence(description, shapes, random);
+                  for (int step = 0; step < 40; ++step) {
+                    const std::string wrong = sequence.step();
+                    if (!wrong.empty()) {
+                      return wrong + " after step " + std::to_string(step);
+                    }
+                  }
+                  return std::string();
+                });
+}
+
+template <class Result, class One, class All>
+std::string many_difference(const char* name, std::size_t count, One one, All all) {
+  std::vector<Result> expected(count);
+  std::vector<Result> got(count);
+  gcv_status status = GCV_OK;
+  for (std::size_t k = 0; k < count && status == GCV_OK; ++k) {
+    status = one(k, &expected[k]);
+  }
+  if (all(got.data()) != status) {
+    return std::string(name) + ": another status";
+  }
+  const bool are_same =
+      status != GCV_OK || std::memcmp(expected.data(), got.data(), count * sizeof(Result)) == 0;
+  return are_same ? "" : std::string(name) + ": other answers for many";
+}
+
+std::string threads_difference(const MemberScene& description, const Shapes& shapes) {
+  gcv_options options = GCV_OPTIONS_INIT;
+  options.threads = 3;
+  const invariants::SceneHandle scene = new_scene();
+  for (const MemberScene::Member& member : description.members) {
+    const gcv_polygon* const polygon = shapes[member.shape];
+    Id id = 0;
+    require(gcv_scene_add(scene.get(), &polygon, member.position.data(), 1, &id), "a member");
+  }
+  const gcv_polygon* const moving = shapes[description.moving];
+  const std::size_t count = description.positions.size();
+  const auto position = [&](std::size_t k) { return description.positions[k].data(); };
+  const auto motion = [&](std::size_t k) { return description.motions[k].data(); };
+  std::string wrong = many_difference<std::int8_t>(
+      "gcv_scene_relation", count,
+      [&](std::size_t k, std::int8_t* out) {
+        return gcv_scene_relation(scene.get(), moving, position(k), 1, nullptr, nullptr, out);
+      },
+      [&](std::int8_t* out) {
+        return gcv_scene_relation(scene.get(), moving, position(0), count, nullptr, &options, out);
+      });
+  wrong += many_difference<gcv_separation>(
+      "gcv_scene_distance", count,
+      [&](std::size_t k, gcv_separation* out) {
+        return gcv_scene_distance(scene.get(), moving, position(k), 1, nullptr, nullptr, out);
+      },
+      [&](gcv_separation* out) {
+        return gcv_scene_distance(scene.get(), moving, position(0), count, nullptr, &options, out);
+      });
+  wrong += many_difference<gcv_impact>(
+      "gcv_scene_cast", count,
+      [&](std::size_t k, gcv_impact* out) {
+        return gcv_scene_cast(scene.get(), moving, position(k), motion(k), 1, nullptr, nullptr,
+                              out);
+      },
+      [&](gcv_impact* out) {
+        return gcv_scene_cast(scene.get(), moving, position(0), motion(0), count, nullptr, &options,
+                              out);
+      });
+  for (const std::int32_t threads : {1, 3}) {
+    options.threads = threads;
+    std::string bytes;
+    const auto pairs = list_of<gcv_pair_list>(bytes, [&](gcv_pair_list** out) {
+      return gcv_scene_pairs(scene.get(), nullptr, 1, nullptr, &options, out);
+    });
+    const auto alone = list_of<gcv_pair_list>(bytes, [&](gcv_pair_list** out) {
+      return gcv_scene_pairs(scene.get(), nullptr, 1, nullptr, nullptr, out);
+    });
+    wrong += bytes_of(pairs.get(), {}) == bytes_of(alone.get(), {}) ? "" : "other pairs by threads";
+  }
+  return wrong;
+}
+
+TEST_P(Sequences, GiveTheSameAnswersForOneAndForManyByThreads) {
+  for_each_case(GetParam(), 2, 400,
+                [&](const MemberScene& description, const Shapes& shapes, Random&) {
+                  return threads_difference(description, shapes);
+                });
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, Sequences,
+                         ::testing::ValuesIn(contact_families().begin(), contact_families().end()),
+                         [](const auto& family) {
+                           std::string name = family.param.name;
+                           std::replace(name.begin(), name.end(), ' ', '_');
+                           return name;
+                         });
+
+// Takes the options of this program. False for any other.
+bool take_options(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    const std::string option = argv[k];
+    const std::string value = option.substr(option.find('=') + 1);
+    if (option.starts_with("--cases=")) {
+      cases = std::atoi(value.c_str());
+    } else if (option.starts_with("--seed=")) {
+      seed = std::strtoull(value.c_str(), nullptr, 10);
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+}  // namespace gcv::test
+
+int main(int argc, char** argv) {
+  ::testing::InitGoogleTest(&argc, argv);
+  if (!gcv::test::take_options(argc, argv)) {
+    std::cerr << "usage: " << argv[0] << " [--cases=N] [--seed=N]\n";
+    return 2;
+  }
+  return RUN_ALL_TESTS();
+}
