@@ -129,13 +129,14 @@ std::string bytes_of(const gcv_contact_list* list, const Name& names) {
 
 class Asker {
  public:
-  // `names` are those of the scene's ids; those to ignore are names.
+  // `names` are those of the scene's ids; those to ignore are names, too, of any members.
   Asker(const gcv_scene* scene, const Asked& asked, const Name& names)
       : scene_(scene), asked_(asked), names_(names) {
     for (const Id name : asked.ignored) {
       const auto same = std::find_if(names.begin(), names.end(),
                                      [&](const auto& id) { return id.second == name; });
-      ignored_.push_back(same == names.end() ? name : same->first);
+      const Id unknown = name == 1 ? 1 : UINT64_MAX - name;
+      ignored_.push_back(same == names.end() ? unknown : same->first);
     }
     query_.layers = asked.layers;
     query_.ignore = ignored_.data();
