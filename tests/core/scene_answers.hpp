@@ -167,6 +167,7 @@ struct Member {
 // What a scene must consist of.
 struct Members {
   std::map<Id, Member> by_id;
+  Id last = 1;  // id that was given
   std::optional<std::size_t> container;
 };
 

@@ -137,7 +137,8 @@ class Sequence {
                           ids.data()),
             "members");
     for (std::size_t k = 0; k < count; ++k) {
-      EXPECT_TRUE(changing.members.by_id.emplace(ids[k], members[k]).second);
+      EXPECT_EQ(ids[k], ++changing.members.last);
+      changing.members.by_id.emplace(ids[k], members[k]);
     }
   }
 
