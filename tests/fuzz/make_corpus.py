@@ -484,7 +484,7 @@ def questions() -> dict[str, bytes]:
 def scenes() -> dict[str, bytes]:
     """Bytes as fuzz_scenes.cpp reads them: polygons, then calls. Each call names the scene."""
     (
-        add, also_add, move, reshape, change_both, set_layers, remove, container, copy, drop,
+        add, _also_add, move, reshape, change_both, set_layers, remove, container, copy, drop,
         bad_id, ask,
     ) = range(12)  # fmt: skip
     far_out, in_contact, anywhere = 2, 3, 5
