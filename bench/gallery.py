@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import gallery_contacts
 import gallery_regions
+import gallery_scenes
 import gallery_witnesses
 import matplotlib
 from gallery_style import (
@@ -221,6 +222,7 @@ def main() -> None:
     shown = [fork, *gallery_regions.examples()]
     save(gallery_regions.regions(shown), "regions", ROOT / "docs")
     save(gallery_witnesses.example(), "witnesses", ROOT / "docs")
+    save(gallery_scenes.example(), "scenes", ROOT / "docs")
     for name, draw in gallery_contacts.PICTURES.items():
         save(draw(), name, ROOT / "docs")
 

@@ -3,6 +3,7 @@
 // When a box that moves meets others.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "pair_descent.hpp"
@@ -42,11 +43,14 @@ struct SweptBox {
   // When it meets each of four boxes along one axis: from `first` to `last`.
   void times(const double* low, const double* high, double box_low, double box_high, double speed,
              SimdDouble& first, SimdDouble& last) const {
-    const double inverse = 1 / speed;
+    // So that the inverse of a subnormal speed is finite. A distance that overflows then is out of
+    // reach.
+    const double unit = std::abs(speed) < 0x1p-900 ? 0x1p120 : 1;
+    const double inverse = 1 / (unit * speed);
     const SimdDouble to_low = (SimdDouble::load(low) + -box_high) + -slack;
     const SimdDouble to_high = (SimdDouble::load(high) + -box_low) + slack;
-    const SimdDouble p = inverse * to_low;
-    const SimdDouble q = inverse * to_high;
+    const SimdDouble p = inverse * (unit * to_low);
+    const SimdDouble q = inverse * (unit * to_high);
     first = inverse > 0 ? p : q;
     last = inverse > 0 ? q : p;
   }

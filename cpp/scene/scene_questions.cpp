@@ -128,7 +128,8 @@ class FirstHit {
         tally_(tally),
         // Roundings are far below the slack.
         swept_{moved_outwards(moving.bounds, position), motion,
-               0x1p-48 * (std::abs(motion.x) + std::abs(motion.y))},
+               0x1p-48 * (std::abs(motion.x) + std::abs(motion.y)) +
+                   std::numeric_limits<double>::min()},
         limit_(overlap == 0 ? 1 : 0) {}
 
   template <class Visit>

@@ -35,6 +35,9 @@ Unchanged::Unchanged(const Scene& scene, const Query& query, const Snapshot& bef
 }
 
 bool Unchanged::has(Id id) const {
+  if (before_ == nullptr) {
+    return false;
+  }
   if (id == container_id) {
     return container_;
   }

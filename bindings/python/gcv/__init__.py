@@ -3,12 +3,14 @@
 """Minkowski sums of two polygons, exactly: outer faces and whole regions.
 
 And questions about two polygons, exactly, without a sum: whether they touch or overlap,
-how far they are from each other, and how far one can move.
+how far they are from each other, and how far one can move. A scene answers them for
+many polygons at positions.
 
 Every coordinate is a finite float and stands for exactly that number; nothing is
 rounded but the coordinates that are handed back as floats, each once. Polygons, outer
-faces and regions never change, so any number of threads may share them; the work is
-done outside Python's global lock. They can be pickled, and travel to other processes.
+faces and regions never change, so any number of threads may share them; a scene can
+change, and has a lock. The work is done outside Python's global lock. All of them can be
+pickled, and travel to other processes.
 """
 
 from typing import TYPE_CHECKING
@@ -21,6 +23,7 @@ from ._contacts import (
     ContactKind,
     Escape,
     Impact,
+    Pair,
     Relation,
     Separation,
     dtype_of,
@@ -35,6 +38,7 @@ from ._facts import (
 from ._ffi import Error, InputError
 from ._locating import Location
 from ._outer_face import OuterFace
+from ._pair_list import PairList
 from ._parts import (
     PART_HOLE,
     PART_OUTER,
@@ -53,6 +57,7 @@ from ._region_sums import (
     no_fit_region,
     no_fit_region_many,
 )
+from ._scene import Scene
 from ._sources import PolygonLike
 from ._sums import (
     SupersetEdge,
@@ -77,6 +82,8 @@ if TYPE_CHECKING:
     """Of an array of what penetration gives, likewise of gcv_escape."""
     IMPACT_DTYPE: numpy.dtype[numpy.void]
     """Of an array of what cast gives, likewise of gcv_impact."""
+    PAIR_DTYPE: numpy.dtype[numpy.void]
+    """Of an array of pairs, likewise of gcv_pair."""
 else:
 
     def __getattr__(name: str) -> object:
@@ -117,6 +124,8 @@ __all__ = [
     "LeaveOut",
     "Location",
     "OuterFace",
+    "Pair",
+    "PairList",
     "Polygon",
     "PolygonLike",
     "Progress",
@@ -125,6 +134,7 @@ __all__ = [
     "RegionPolygon",
     "Relation",
     "Rounding",
+    "Scene",
     "Separation",
     "Simplified",
     "Stats",

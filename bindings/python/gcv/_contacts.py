@@ -7,7 +7,7 @@ An array has a field for each member of the C struct. A record has what Python n
 
 from __future__ import annotations
 
-from ctypes import Array, c_int8
+from ctypes import Array, c_int8, c_uint64
 from enum import IntEnum
 from typing import TYPE_CHECKING, Any, Callable, NamedTuple, Optional
 
@@ -63,6 +63,10 @@ class Contact(NamedTuple):
     """The point of the feature of A that is nearest to that of B, correctly rounded."""
     on_b: tuple[float, float]
     """The point of the feature of B, where the translation has moved it."""
+    id_a: int = 0
+    """The id of A in a scene, 1 for the container; 0 without a scene."""
+    id_b: int = 0
+    """The id of B in a scene; 0 for a polygon that is no member, and without a scene."""
 
 
 class Separation(NamedTuple):
@@ -77,6 +81,8 @@ class Separation(NamedTuple):
 
     Of several, the one with the smallest kind, then a, then b.
     """
+    id: int = 0
+    """In a scene, of what is nearest, also without a contact; 0 where nothing is there."""
 
 
 class Escape(NamedTuple):
@@ -119,6 +125,19 @@ class Impact(NamedTuple):
 
     Of several, the one with the smallest kind, then a, then b.
     """
+    id: int = 0
+    """In a scene, of what is hit, also without a contact; 0 without a hit."""
+
+
+class Pair(NamedTuple):
+    """Two members of a scene, or the container or another polygon and a member."""
+
+    a: int
+    """An id, 1 for the container."""
+    b: int
+    """The other one; 0 for a polygon that is no member."""
+    relation: Relation
+    """How they lie, exactly."""
 
 
 _dtypes: dict[Any, numpy.dtype[Any]] = {}
@@ -138,6 +157,7 @@ DTYPES = {
     "SEPARATION_DTYPE": _structs.Separation,
     "ESCAPE_DTYPE": _structs.Escape,
     "IMPACT_DTYPE": _structs.Impact,
+    "PAIR_DTYPE": _structs.Pair,
 }
 """The structs by the public names of their dtypes."""
 
@@ -156,19 +176,28 @@ def records(values: Array[Any]) -> Any:
     return numpy.frombuffer(memoryview(values), dtype_of(values._type_))
 
 
-def contact(of: _structs.Contact) -> Contact:
+def record_of(kind: Any) -> Callable[[Any], Any]:
+    """What makes a record of a C value of that type."""
+    return _RECORDS[kind]
+
+
+def _contact(of: _structs.Contact) -> Contact:
     return Contact(
         *(ContactKind(of.kind), of.a, of.b, of.gap),
         *(_point(of.normal), _point(of.on_a), _point(of.on_b)),
+        *(of.id_a, of.id_b),
     )
 
 
 def _contact_or_none(of: _structs.Contact) -> Optional[Contact]:
-    return contact(of) if of.kind != 0 else None
+    return _contact(of) if of.kind != 0 else None
 
 
 def _separation(of: _structs.Separation) -> Separation:
-    return Separation(of.distance, Relation(of.relation), _contact_or_none(of.nearest))
+    nearest = of.nearest
+    return Separation(
+        *(of.distance, Relation(of.relation), _contact_or_none(nearest), nearest.id_a)
+    )
 
 
 def _escape(of: _structs.Escape) -> Escape:
@@ -181,8 +210,12 @@ def _escape(of: _structs.Escape) -> Escape:
 def _impact(of: _structs.Impact) -> Impact:
     return Impact(
         *(of.hit != 0, Relation(of.relation), of.time, _point(of.position)),
-        _contact_or_none(of.contact),
+        *(_contact_or_none(of.contact), of.contact.id_a),
     )
+
+
+def _pair(of: _structs.Pair) -> Pair:
+    return Pair(of.a, of.b, Relation(of.relation))
 
 
 def _point(pair: Any) -> tuple[float, float]:
@@ -192,8 +225,11 @@ def _point(pair: Any) -> tuple[float, float]:
 
 _RECORDS: dict[Any, Callable[[Any], Any]] = {
     c_int8: Relation,
-    _structs.Contact: contact,
+    c_uint64: int,
+    _structs.Point: _point,
+    _structs.Contact: _contact,
     _structs.Separation: _separation,
     _structs.Escape: _escape,
     _structs.Impact: _impact,
+    _structs.Pair: _pair,
 }

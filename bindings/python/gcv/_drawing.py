@@ -14,16 +14,22 @@ Points = Sequence[tuple[float, float]]
 _SIZE, _MARGIN = 400.0, 10.0
 _COLOURS = ("#8da0cb", "#66c2a5", "#fc8d62")
 _FIT_COLOUR = "#d7301f"
+GROUND_COLOUR = "#f0f0f0"
 _DOT = 3.0
 
 
-def svg(layers: Sequence[Sequence[Points]], fits: Sequence[Points] = ()) -> str:
+def svg(
+    layers: Sequence[Sequence[Points]],
+    fits: Sequence[Points] = (),
+    ground: Sequence[Points] = (),
+) -> str:
     """An SVG picture of layers, each upon those before it, to a common scale.
 
     A layer is the rings of a polygon, or of several that do not overlap. The fits, upon
-    all of them, are segments of two points and single points.
+    all of them, are segments of two points and single points. The ground, below them, is
+    the rings of a polygon that contains them.
     """
-    shown = [*chain(*(ring for rings in layers for ring in rings), *fits)]
+    shown = [*chain(*ground, *(ring for rings in layers for ring in rings), *fits)]
     if not shown:
         shown = [(0.0, 0.0)]
     # Below 1, so that differences neither overflow nor vanish.
@@ -50,18 +56,22 @@ def svg(layers: Sequence[Sequence[Points]], fits: Sequence[Points] = ()) -> str:
         x, y = place(ends[0])
         return f'<circle cx="{x}" cy="{y}" r="{_DOT}" fill="{_FIT_COLOUR}"/>'
 
+    def area(rings: Sequence[Points], colour: str, opacity: float) -> str:
+        return (
+            f'<path d="{"".join(f"M{path(ring)}Z" for ring in rings)}" fill-rule="evenodd" '
+            f'fill="{colour}" fill-opacity="{opacity}" stroke="#333" stroke-linejoin="round"/>'
+        )
+
     width = 2 * _MARGIN + columns * pixels
     height = 2 * _MARGIN + rows * pixels
-    paths = "".join(
-        f'<path d="{"".join(f"M{path(ring)}Z" for ring in rings)}" fill-rule="evenodd" '
-        f'fill="{_COLOURS[k % len(_COLOURS)]}" fill-opacity="0.5" '
-        'stroke="#333" stroke-linejoin="round"/>'
-        for k, rings in enumerate(layers)
-        if rings
-    )
+    paths = [
+        area(rings, _COLOURS[k % len(_COLOURS)], 0.5) for k, rings in enumerate(layers) if rings
+    ]
+    if ground:
+        paths.insert(0, area(ground, GROUND_COLOUR, 1))
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:.0f}" height="{height:.0f}" '
-        f'viewBox="0 0 {width:.2f} {height:.2f}">{paths}{"".join(map(fit, fits))}</svg>'
+        f'viewBox="0 0 {width:.2f} {height:.2f}">{"".join([*paths, *map(fit, fits)])}</svg>'
     )
 
 

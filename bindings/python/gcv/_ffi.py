@@ -14,12 +14,13 @@ from ctypes import (
     c_int32,
     c_size_t,
     c_uint32,
+    c_uint64,
     c_void_p,
 )
 from typing import Any, Callable, ClassVar, NoReturn
 
 from ._loader import load
-from ._structs import Options, Stats
+from ._structs import Options, Query, Stats
 
 _library = load()
 
@@ -66,6 +67,25 @@ _NEW_IN_0_2 = {
     "gcv_contact_list_destroy",
     "gcv_contact_list_contacts",
     "gcv_contact_list_previous",
+    "gcv_scene_create",
+    "gcv_scene_copy",
+    "gcv_scene_destroy",
+    "gcv_scene_set_container",
+    "gcv_scene_add",
+    "gcv_scene_set",
+    "gcv_scene_set_layers",
+    "gcv_scene_remove",
+    "gcv_scene_ids",
+    "gcv_scene_positions",
+    "gcv_scene_polygon",
+    "gcv_scene_relation",
+    "gcv_scene_distance",
+    "gcv_scene_cast",
+    "gcv_scene_near",
+    "gcv_scene_pairs",
+    "gcv_scene_contacts",
+    "gcv_pair_list_destroy",
+    "gcv_pair_list_pairs",
 }
 
 
@@ -208,6 +228,14 @@ class ContactList(_Handle):
     _destroy = _declare("gcv_contact_list_destroy", None, c_void_p)
 
 
+class Scene(_Handle):
+    _destroy = _declare("gcv_scene_destroy", None, c_void_p)
+
+
+class PairList(_Handle):
+    _destroy = _declare("gcv_pair_list_destroy", None, c_void_p)
+
+
 class Superset(_Handle):
     _destroy = _declare("gcv_superset_destroy", None, c_void_p)
 
@@ -311,6 +339,32 @@ contacts = _function(
 )
 contact_list_contacts = _function("gcv_contact_list_contacts", ContactList, *_buffer)
 contact_list_previous = _function("gcv_contact_list_previous", ContactList, *_buffer)
+
+_scene = POINTER(Scene)
+_asked = (POINTER(Query), _options)
+
+scene_create = _function("gcv_scene_create", _scene)
+scene_copy = _function("gcv_scene_copy", Scene, _scene)
+scene_set_container = _function("gcv_scene_set_container", Scene, Polygon)
+scene_add = _function("gcv_scene_add", Scene, _handles, c_void_p, c_size_t, c_void_p)
+scene_set = _function("gcv_scene_set", Scene, c_void_p, _handles, c_void_p, c_size_t)
+scene_set_layers = _function("gcv_scene_set_layers", Scene, c_void_p, c_void_p, c_size_t)
+scene_remove = _function("gcv_scene_remove", Scene, c_void_p, c_size_t)
+scene_ids = _function("gcv_scene_ids", Scene, *_buffer)
+scene_positions = _function("gcv_scene_positions", Scene, c_void_p, c_size_t, c_void_p)
+scene_polygon = _function("gcv_scene_polygon", Scene, c_uint64, _polygon)
+
+_moving = (Scene, Polygon, c_void_p)
+scene_relation = _function("gcv_scene_relation", *_moving, c_size_t, *_asked, c_void_p)
+scene_distance = _function("gcv_scene_distance", *_moving, c_size_t, *_asked, c_void_p)
+scene_cast = _function("gcv_scene_cast", *_moving, c_void_p, c_size_t, *_asked, c_void_p)
+scene_near = _function("gcv_scene_near", *_moving, c_double, *_asked, POINTER(PairList))
+scene_pairs = _function(*("gcv_scene_pairs", Scene, PairList, c_double, *_asked, POINTER(PairList)))
+scene_contacts = _function(
+    *("gcv_scene_contacts", Scene, ContactList, c_double, c_double, *_asked),
+    POINTER(ContactList),
+)
+pair_list_pairs = _function("gcv_pair_list_pairs", PairList, *_buffer)
 
 superset_create = _function("gcv_superset_create", Polygon, Polygon, POINTER(Superset))
 superset_edges = _function("gcv_superset_edges", Superset, *_buffer)

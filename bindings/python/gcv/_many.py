@@ -43,7 +43,7 @@ def each(
     results, pairs = _read(sources, references, return_errors)
     count = len(pairs)
     handles, statuses = (c_void_p * count)(), (c_int32 * count)()
-    arguments = [_handles([p.first for p in pairs]), _handles([p.second for p in pairs])]
+    arguments = [handle_array([p.first for p in pairs]), handle_array([p.second for p in pairs])]
     if "fixed" in sources:
         arguments.append((c_double * (2 * count))(*(c for p in pairs for c in p.reference)))
 
@@ -115,5 +115,5 @@ def vertices(polygon: Polygon) -> int:
     return sum(map(size, polygon._given))
 
 
-def _handles(polygons: list[Polygon]) -> Any:
+def handle_array(polygons: list[Polygon]) -> Any:
     return (c_void_p * len(polygons))(*(polygon._handle.value for polygon in polygons))

@@ -6,9 +6,11 @@ from __future__ import annotations
 
 from ctypes import (
     CFUNCTYPE,
+    POINTER,
     Structure,
     c_double,
     c_int32,
+    c_size_t,
     c_uint32,
     c_uint64,
     c_void_p,
@@ -31,6 +33,15 @@ class Options(Structure):
         ("progress", Progress),
         ("progress_context", c_void_p),
         ("leave_out", c_uint64),
+    )
+
+
+class Query(Structure):
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("layers", c_uint32),
+        ("ignore", POINTER(c_uint64)),
+        ("ignore_count", c_size_t),
     )
 
 
@@ -107,6 +118,15 @@ class Impact(Structure):
         ("time", c_double),
         ("position", Point),
         ("contact", Contact),
+    )
+
+
+class Pair(Structure):
+    _fields_ = (
+        ("a", c_uint64),
+        ("b", c_uint64),
+        ("relation", c_int32),
+        ("reserved", c_uint32),
     )
 
 

@@ -18,7 +18,7 @@ from ._polygon import as_polygon
 from ._sources import PolygonLike
 
 # In the time of a pair of vertices in a sum, a translation gets past so many vertices.
-_VERTICES_A_PAIR = 16
+VERTICES_A_PAIR = 16
 
 
 @overload
@@ -252,18 +252,27 @@ def _answer(
     ask.
     """
     a, b = as_polygon(a, "a"), as_polygon(b, "b")
-    read = {name: _read(value, name) for name, value in vectors.items()}
-    counts = {name: size(doubles) for name, (doubles, is_one) in read.items() if not is_one}
-    count = next(iter(counts.values()), 1)
-    if len(set(counts.values())) > 1:
-        raise ValueError(" and ".join(f"{name} has {n} pairs" for name, n in counts.items()))
-    arguments = [doubles * count if is_one else doubles for doubles, is_one in read.values()]
+    arguments, count, is_one = read_vectors(vectors)
     out = (kind * count)()
     ask(
         lambda known: function(a._handle, b._handle, *arguments, count, known, out),
         *(count * (vertices(a) + vertices(b)), *options),
     )
-    return records(out) if counts else record(out)
+    return record(out) if is_one else records(out)
+
+
+def read_vectors(vectors: dict[str, Any]) -> tuple[list[bytes], int, bool]:
+    """The doubles of vectors by their names, their number, and whether each is one.
+
+    One vector stands for as many as there are of the others.
+    """
+    read = {name: _read(value, name) for name, value in vectors.items()}
+    counts = {name: size(doubles) for name, (doubles, is_one) in read.items() if not is_one}
+    count = next(iter(counts.values()), 1)
+    if len(set(counts.values())) > 1:
+        raise ValueError(" and ".join(f"{name} has {n} pairs" for name, n in counts.items()))
+    doubles = [doubles * count if is_one else doubles for doubles, is_one in read.values()]
+    return doubles, count, not counts
 
 
 def ask(
@@ -277,7 +286,7 @@ def ask(
 
     moved_vertices is the number of translations times that of vertices.
     """
-    pairs = moved_vertices // _VERTICES_A_PAIR
+    pairs = moved_vertices // VERTICES_A_PAIR
     try:
         run(call, pairs, "nearest", 0, threads, progress, leave_out)
     except _ffi.Error as error:

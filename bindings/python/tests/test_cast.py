@@ -43,7 +43,7 @@ def test_no_hit() -> None:
     ]:
         impact = gcv.cast(SQUARE, SQUARE, start, motion)
         end = (start[0] + motion[0], start[1] + motion[1])
-        assert impact == (False, gcv.relation(SQUARE, SQUARE, end), 1, end, None)
+        assert impact == (False, gcv.relation(SQUARE, SQUARE, end), 1, end, None, 0)
 
 
 def test_overlap_at_the_start() -> None:
@@ -131,7 +131,7 @@ def test_beyond_the_largest_float() -> None:
 def test_properties(
     a: gcv.Polygon, b: gcv.Polygon, start: tuple[float, float], motion: tuple[float, float]
 ) -> None:
-    hit, relation, time, position, contact = gcv.cast(a, b, start, motion)
+    hit, relation, time, position, contact, _ = gcv.cast(a, b, start, motion)
     assert 0 <= time <= 1
     assert relation is gcv.relation(a, b, position)
     if gcv.relation(a, b, start) is gcv.OVERLAPPING:

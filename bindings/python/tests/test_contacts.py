@@ -51,7 +51,7 @@ def test_parallel_edges() -> None:
     contacts = gcv.contacts(SQUARE, SQUARE, (0.5, 1))
     assert keys(contacts) == [(ContactKind.EDGE_VERTEX, 2, 0), (ContactKind.VERTEX_EDGE, 2, 0)]
     for contact, x in zip(contacts, (0.5, 1.0)):
-        assert contact[3:] == (0, (0, 1), (x, 1), (x, 1))
+        assert contact[3:] == (0, (0, 1), (x, 1), (x, 1), 0, 0)
 
 
 def test_sides_parallel_but_for_rounding() -> None:
@@ -70,7 +70,7 @@ def test_two_vertices() -> None:
     assert np.allclose(contact.normal, math.sqrt(0.5))
     contacts = gcv.contacts(SQUARE, SQUARE, (1, 1))
     contact = next(c for c in contacts if c.kind is ContactKind.VERTEX_VERTEX)
-    assert contact[1:] == (2, 0, 0, (0, 0), (1, 1), (1, 1))
+    assert contact[1:] == (2, 0, 0, (0, 0), (1, 1), (1, 1), 0, 0)
 
 
 def test_holes() -> None:

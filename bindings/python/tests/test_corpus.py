@@ -81,7 +81,7 @@ def answer(a: str, b: str, line: str) -> str:
     if word == "relation":
         return gcv.relation(a, b, translation).name.lower()
     if word == "distance":
-        distance, relation, nearest = gcv.distance(a, b, translation)
+        distance, relation, nearest, _ = gcv.distance(a, b, translation)
         return f"{relation.name.lower()} {numbers(distance)} {contact(nearest)}"
     if word == "penetration":
         escape = gcv.penetration(a, b, translation)

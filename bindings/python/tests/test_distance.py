@@ -85,8 +85,8 @@ def test_two_vertices() -> None:
 
 
 def test_touching_and_overlapping() -> None:
-    assert gcv.distance(SQUARE, SQUARE, (1, 1)) == (0, gcv.TOUCHING, None)
-    assert gcv.distance(SQUARE, SQUARE) == (0, gcv.OVERLAPPING, None)
+    assert gcv.distance(SQUARE, SQUARE, (1, 1)) == (0, gcv.TOUCHING, None, 0)
+    assert gcv.distance(SQUARE, SQUARE) == (0, gcv.OVERLAPPING, None, 0)
 
 
 def test_in_a_hole() -> None:
@@ -144,7 +144,7 @@ def test_correctly_rounded(fixed: Points) -> None:
 
 @given(polygons(), polygons(), st.tuples(*[st.integers(-300, 300).map(float)] * 2))
 def test_properties(a: gcv.Polygon, b: gcv.Polygon, move: tuple[float, float]) -> None:
-    distance, relation, nearest = gcv.distance(a, b, move)
+    distance, relation, nearest, _ = gcv.distance(a, b, move)
     assert relation is gcv.relation(a, b, move)
     assert (nearest is None) == (relation is not gcv.APART)
     assert gcv.distance(b, a, (-move[0], -move[1])).distance == distance

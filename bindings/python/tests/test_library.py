@@ -165,6 +165,13 @@ for function in (gcv.distance, gcv.penetration, falls):
     answers = function(square, square, moves)
     assert answers == [function(square, square, move) for move in moves], answers
     assert function(square, square, []) == []
+scene = gcv.Scene()
+assert scene.add([square, square], [(0, 0), (3, 0)]) == scene.ids == [2, 3]
+assert scene.positions() == [(0.0, 0.0), (3.0, 0.0)] and scene.positions(3) == (3.0, 0.0)
+relations = [gcv.OVERLAPPING, gcv.TOUCHING, gcv.OVERLAPPING]
+assert scene.relation(square, moves) == relations
+assert scene.distance(square, moves) == [scene.distance(square, move) for move in moves]
+assert scene.pairs(2).array == [(2, 3, gcv.APART)]
 assert not hasattr(gcv, "CONTACT_DTYPE")
 try:
     gcv.IMPACT_DTYPE
@@ -213,6 +220,7 @@ for call, name in [
     (lambda: gcv.cast(ring, ring, (0, 0), (1, 1)), "gcv_cast"),
     (lambda: gcv.penetration(ring, ring), "gcv_penetration"),
     (lambda: gcv.contacts(ring, ring), "gcv_contacts"),
+    (lambda: gcv.Scene(), "gcv_scene_create"),
 ]:
     try:
         call()

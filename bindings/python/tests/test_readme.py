@@ -1,12 +1,13 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The examples of the README, and those of a page of the documentation."""
+"""The examples of the README, and those of pages of the documentation."""
 
 import doctest
 
+import pytest
 from shapes import BINDING
 
-CONTACTS = BINDING.parent.parent / "docs" / "CONTACTS.md"
+DOCS = BINDING.parent.parent / "docs"
 
 
 def test_readme() -> None:
@@ -15,7 +16,8 @@ def test_readme() -> None:
     assert result.failed == 0
 
 
-def test_contacts() -> None:
-    result = doctest.testfile(str(CONTACTS), module_relative=False)
+@pytest.mark.parametrize("page", ["CONTACTS.md", "SCENES.md"])
+def test_page(page: str) -> None:
+    result = doctest.testfile(str(DOCS / page), module_relative=False)
     assert result.attempted >= 5
     assert result.failed == 0

@@ -57,7 +57,8 @@ def as_contact(contact: Any) -> Any:
     kind, a, b, reserved, id_a, id_b, gap, *points = contact.tolist()
     assert reserved == id_a == id_b == 0
     assert all(point.shape == (2,) for point in points)
-    return gcv.Contact(gcv.ContactKind(kind), a, b, gap, *(tuple(p.tolist()) for p in points))
+    normal, on_a, on_b = (tuple(point.tolist()) for point in points)
+    return gcv.Contact(gcv.ContactKind(kind), a, b, gap, normal, on_a, on_b)
 
 
 @pytest.mark.parametrize(("question", "dtype"), zip(QUESTIONS, DTYPES))

@@ -1528,7 +1528,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_set(gcv_scene *scene, const uint64_t 
  * Puts members into layers.
  *
  * @param ids     of the members, each once.
- * @param layers  of each of them: a bit for every layer.
+ * @param layers  of each of them: a bit for every layer. A member in no layer is in no answer.
  * @param count   the number of members.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT as gcv_scene_set;
  *         GCV_ERR_NO_MEMORY. Threads: one. @since 0.2
@@ -1685,7 +1685,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_near(const gcv_scene *scene, const gc
  * @param query     which members; or NULL for all.
  * @param options   threads and progress; or NULL for the defaults.
  * @param out       the new list, the caller's.
- * @return as gcv_scene_near; GCV_ERR_INVALID_ARGUMENT for a list of another scene.
+ * @return as gcv_scene_near; GCV_ERR_INVALID_ARGUMENT for a list of another scene or of
+ *         gcv_scene_near.
  * Exactness: exact. Cost: O(n log n), and gcv_distance for pairs whose boxes are as near. With a
  * previous list of the same distance and query, that for members that have changed, and O(n).
  * Threads: any. @since 0.2

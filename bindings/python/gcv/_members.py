@@ -1,0 +1,371 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The members of a scene and its container: how they come, change and go.
+
+The base class of scenes. It copies, pickles and draws them, too.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from ctypes import byref, c_uint64, sizeof
+from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, overload
+
+from . import _ffi, _structs
+from ._call import run
+from ._contacts import record, records
+from ._coordinates import Points, point_or_points, points, size
+from ._drawing import GROUND_COLOUR, plot, svg
+from ._gate import Gate
+from ._many import handle_array, vertices
+from ._polygon import Polygon, as_polygon
+from ._several import Polygons, polygons_of
+from ._sources import PolygonLike
+from ._whole_numbers import WholeNumbers, ids_of, layers_of, one_id
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
+
+_MembersType = TypeVar("_MembersType", bound="Members")
+
+_FIRST_ID = 2
+_IDS_AT_A_TIME = 1 << 16
+
+
+class Members:
+    """Polygons at positions, by their ids, and perhaps a container."""
+
+    __slots__ = ("_container", "_gate", "_handle", "_last", "_layers", "_polygons", "_vertices")
+
+    _gate: Gate
+    _handle: _ffi.Scene
+    _container: Optional[Polygon]
+    _polygons: dict[int, Polygon]
+    """The polygons of the members as passed, by id, from the smallest on."""
+    _layers: dict[int, int]
+    """The layers of the members that were put into any."""
+    _last: int
+    """The last id that was given to a member."""
+    _vertices: int
+    """The number of vertices of all members."""
+
+    def __init__(self, container: Optional[PolygonLike] = None) -> None:
+        handle = _ffi.Scene()
+        _ffi.scene_create(byref(handle))
+        self._gate, self._handle = Gate(), handle
+        self._container, self._polygons, self._layers = None, {}, {}
+        self._last, self._vertices = _FIRST_ID - 1, 0
+        if container is not None:
+            self.container = container
+
+    def _change(self, call: Callable[[], None], vertex_count: int) -> None:
+        """Make a change alone, and whole where Ctrl-C comes meanwhile."""
+        with self._gate.changing():
+            run(lambda _options: call(), vertex_count, "nearest", 0, 1, None)
+
+    @property
+    def container(self) -> Optional[Polygon]:
+        """The polygon that members are to be in, id 1; None for none. It can be set.
+
+        All outside of it is solid, and so are its holes: what lies in it touches it or is
+        apart from it. It may overlap members. It is set from whatever Polygon can be made
+        from.
+        """
+        return self._container
+
+    @container.setter
+    def container(self, container: Optional[PolygonLike]) -> None:
+        polygon = None if container is None else as_polygon(container, "container")
+
+        def change() -> None:
+            handle = None if polygon is None else polygon._handle
+            _ffi.scene_set_container(self._handle, handle)
+            self._container = polygon
+
+        self._change(change, 0 if polygon is None else vertices(polygon))
+
+    @overload
+    def add(self, polygons: PolygonLike, positions: tuple[float, float] = ...) -> int: ...
+
+    @overload
+    def add(self, polygons: Polygons, positions: Iterable[Any] = ...) -> Any: ...
+
+    def add(self, polygons: Polygons, positions: Any = (0, 0)) -> Any:
+        """Add one polygon at one position, and return its id; or many, and return an array.
+
+        polygons: a polygon, or whatever Polygon can be made from; or a sequence of them. A
+        sequence that begins with a pair of numbers is one polygon. Members that share a
+        Polygon share what is computed for it.
+
+        positions: (x, y), in input units; or an array of shape (n, 2), or a sequence of
+        pairs. One polygon at many positions is as many members, and one position stands
+        for all polygons. The coordinates of a member are sums of two floats, and are never
+        rounded.
+
+        An array of ids is one of n uint64; a list without numpy. New members are in all
+        layers.
+
+        Raises as Polygon does, InputError for a position that is no pair of numbers or not
+        finite, and ValueError where there are not as many polygons as positions; the scene
+        is then as it was.
+        """
+        found, is_one = polygons_of(polygons, "polygons")
+        doubles, is_pair = _pairs(positions)
+        count = _in_common(
+            {
+                "polygons": None if is_one else len(found),
+                "positions": None if is_pair else size(doubles),
+            }
+        )
+        found = found * count if is_one else found
+        doubles = doubles * count if is_pair else doubles
+        ids, vertex_count = (c_uint64 * count)(), sum(map(vertices, found))
+
+        def change() -> None:
+            _ffi.scene_add(self._handle, handle_array(found), doubles, count, ids)
+            self._polygons.update(zip(ids, found))
+            self._last = max((self._last, *ids))
+            self._vertices += vertex_count
+
+        self._change(change, vertex_count)
+        return record(ids) if is_one and is_pair else records(ids)
+
+    def set(
+        self,
+        ids: WholeNumbers,
+        polygons: Optional[Polygons] = None,
+        positions: Any = None,
+    ) -> None:
+        """Give members other polygons, or other positions, or both.
+
+        ids: of one member, or a sequence or an array of them, each once. polygons,
+        positions: as in add, one for all of them or one for each; None for those that they
+        have.
+
+        Raises as add does, and InputError for an id that is no member's or is given twice;
+        the scene is then as it was.
+        """
+        numbers, _ = ids_of(ids, "ids")
+        counts: dict[str, Optional[int]] = {"ids": len(numbers)}
+        found: Optional[list[Polygon]] = None
+        doubles: Optional[bytes] = None
+        if polygons is not None:
+            found, is_one = polygons_of(polygons, "polygons")
+            counts["polygons"] = None if is_one else len(found)
+            found = found * len(numbers) if is_one else found
+        if positions is not None:
+            doubles, is_pair = _pairs(positions)
+            counts["positions"] = None if is_pair else size(doubles)
+            doubles = doubles * len(numbers) if is_pair else doubles
+        count = _in_common(counts)
+
+        def change() -> None:
+            handles = None if found is None else handle_array(found)
+            _ffi.scene_set(self._handle, numbers.tobytes(), handles, doubles, count)
+            for number, polygon in zip(numbers, found or ()):
+                self._vertices += vertices(polygon) - vertices(self._polygons[number])
+                self._polygons[number] = polygon
+
+        self._change(change, count + sum(map(vertices, found or ())))
+
+    def move(self, ids: WholeNumbers, positions: Any) -> None:
+        """Move members to other positions, as set does."""
+        self.set(ids, positions=positions)
+
+    def set_layers(self, ids: WholeNumbers, layers: WholeNumbers) -> None:
+        """Put members into layers, which questions choose from.
+
+        ids: as in set. layers: a whole number with a bit for every layer, from 0 to
+        2**32 - 1, for all of them; or one for each. A member with 0 is left out of all
+        questions. The container is in every layer.
+
+        Raises InputError as set does, and for a number that has other bits.
+        """
+        numbers, _ = ids_of(ids, "ids")
+        bits, is_one = layers_of(layers, "layers")
+        count = _in_common({"ids": len(numbers), "layers": None if is_one else len(bits)})
+        bits = bits * count if is_one else bits
+
+        def change() -> None:
+            _ffi.scene_set_layers(self._handle, numbers.tobytes(), bits.tobytes(), count)
+            self._layers.update(zip(numbers, bits))
+
+        self._change(change, count)
+
+    def remove(self, ids: WholeNumbers) -> None:
+        """Take members out. Their ids are never used again.
+
+        ids: as in set. Raises InputError as set does; the scene is then as it was.
+        """
+        numbers, _ = ids_of(ids, "ids")
+
+        def change() -> None:
+            _ffi.scene_remove(self._handle, numbers.tobytes(), len(numbers))
+            for number in numbers:
+                self._vertices -= vertices(self._polygons.pop(number))
+                self._layers.pop(number, None)
+
+        self._change(change, len(numbers))
+
+    @property
+    def ids(self) -> numpy.typing.NDArray[numpy.uint64]:
+        """The ids of all members, from the smallest on: an array of n uint64.
+
+        A list without numpy.
+        """
+        found: numpy.typing.NDArray[numpy.uint64] = records(self._ids())
+        return found
+
+    def _ids(self) -> Any:
+        with self._gate.asking():
+            return _ffi.elements(_ffi.scene_ids, c_uint64, self._handle)
+
+    def positions(self, ids: Optional[WholeNumbers] = None) -> Any:
+        """The position of one member, (x, y); or of many, an array of shape (n, 2).
+
+        ids: as in set; None for all members, from the smallest id on. The array is the
+        caller's, and a list of pairs without numpy.
+
+        Raises InputError for an id that is no member's or is given twice.
+        """
+        with self._gate.asking():
+            numbers, is_one = ids_of(self._ids() if ids is None else ids, "ids")
+            out = (_structs.Point * len(numbers))()
+            _ffi.scene_positions(self._handle, numbers.tobytes(), len(numbers), out)
+        return record(out) if is_one else records(out)
+
+    def polygon(self, id: SupportsIndex) -> Polygon:
+        """The polygon of a member as it was passed, before it is moved to its position.
+
+        Raises InputError for an id that is no member's.
+        """
+        number = one_id(id, "id")
+        polygon = self._polygons.get(number)
+        if polygon is None:
+            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: {number} is not that of a member")
+        return polygon
+
+    def copy(self: _MembersType) -> _MembersType:
+        """A scene with the same members, ids, layers and container.
+
+        From then on each changes alone. Members that are added to both get the same ids.
+        Takes O(n).
+        """
+        handle = _ffi.Scene()
+        made = type(self).__new__(type(self))
+        with self._gate.asking():
+            _ffi.scene_copy(self._handle, byref(handle))
+            made._gate, made._handle, made._container = Gate(), handle, self._container
+            made._polygons, made._layers = dict(self._polygons), dict(self._layers)
+            made._last, made._vertices = self._last, self._vertices
+        return made
+
+    def __copy__(self: _MembersType) -> _MembersType:
+        return self.copy()
+
+    def __deepcopy__(self: _MembersType, _memo: object) -> _MembersType:
+        return self.copy()
+
+    def __len__(self) -> int:
+        """The number of members."""
+        return len(self._polygons)
+
+    def __iter__(self) -> Iterator[int]:
+        """The ids of the members that there are now, from the smallest on."""
+        return iter(list(self._polygons))
+
+    def __contains__(self, id: object) -> bool:
+        """Whether there is a member with that id."""
+        return id in self._polygons
+
+    def __repr__(self) -> str:
+        members = f"{len(self)} member{'s' if len(self) != 1 else ''}"
+        container = " in a container" if self._container is not None else ""
+        return f"<gcv.{type(self).__name__} of {members}{container}>"
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the container and the members with matplotlib.
+
+        ax is the axes to draw on, by default the current ones; style goes to ax.fill, for
+        each member. Returns the axes. Raises ImportError without matplotlib.
+        """
+        ground, members = self._all_ring_points(1)
+        ax = plot(ground, (), ax, {"facecolor": GROUND_COLOUR, "alpha": 1})
+        for rings in members:
+            plot(rings, (), ax, style)
+        return ax
+
+    def _repr_svg_(self) -> str:
+        # Half as large, so that no sum is beyond the largest float.
+        ground, members = self._all_ring_points(0.5)
+        return svg(members, (), ground)
+
+    def _all_ring_points(self, scale: float) -> tuple[list[Points], list[list[Points]]]:
+        """The rings of the container and those of each member, where it is."""
+        with self._gate.asking():
+            container, polygons = self._container, list(self._polygons.values())
+            places = points(self._all_positions())
+
+        def placed(polygon: Polygon, place: tuple[float, float]) -> list[Points]:
+            x, y = scale * place[0], scale * place[1]
+            return [
+                [(scale * px + x, scale * py + y) for px, py in ring]
+                for ring in polygon._ring_points()
+            ]
+
+        ground = [] if container is None else placed(container, (0, 0))
+        return ground, [placed(*member) for member in zip(polygons, places)]
+
+    def __reduce__(self) -> tuple[Callable[..., Members], tuple[Any, ...]]:
+        with self._gate.asking():
+            state = dict(self._polygons), self._all_positions(), dict(self._layers), self._last
+            return _restored, (type(self), self._container, *state)
+
+    def _all_positions(self) -> bytes:
+        """The positions of all members, as doubles."""
+        numbers = bytes(self._ids())
+        out = (_structs.Point * (len(numbers) // sizeof(c_uint64)))()
+        _ffi.scene_positions(self._handle, numbers, len(out), out)
+        return bytes(out)
+
+
+def _pairs(positions: Any) -> tuple[bytes, bool]:
+    """The doubles of one position or of many, and whether it is one."""
+    return point_or_points(positions, "positions", "a pair of numbers, nor a sequence of pairs")
+
+
+def _in_common(counts: dict[str, Optional[int]]) -> int:
+    """The number of members that arguments are about, by the numbers that each has.
+
+    None is for one that stands for all. Raises ValueError where the others differ.
+    """
+    known = {name: count for name, count in counts.items() if count is not None}
+    if len(set(known.values())) > 1:
+        raise ValueError(" and ".join(f"{name} has {n} elements" for name, n in known.items()))
+    return next(iter(known.values()), 1)
+
+
+def _restored(
+    kind: type[_MembersType],
+    container: Optional[Polygon],
+    polygons: dict[int, Polygon],
+    positions: bytes,
+    layers: dict[int, int],
+    last: int,
+) -> _MembersType:
+    """The scene of a pickle.
+
+    The library gives out ids one after the other. So members for all of them are added, and
+    those for ids that are not in use are removed again.
+    """
+    scene = kind(container)
+    places = dict(zip(polygons, points(positions)))
+    none = Polygon([(0, 0), (1, 0), (0, 1)]), (0.0, 0.0)
+    for start in range(_FIRST_ID, last + 1, _IDS_AT_A_TIME):
+        ids = range(start, min(start + _IDS_AT_A_TIME, last + 1))
+        members = [(polygons[k], places[k]) if k in polygons else none for k in ids]
+        scene.add([polygon for polygon, _ in members], [place for _, place in members])
+        scene.remove([k for k in ids if k not in polygons])
+    scene.set_layers(layers, layers.values())
+    return scene

@@ -1,0 +1,93 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Lists of records that the library made: what those of contacts and of pairs have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from ctypes import sizeof
+from typing import TYPE_CHECKING, Any, ClassVar, Optional, TypeVar, Union, overload
+
+from ._contacts import dtype_of, record_of
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
+
+_T = TypeVar("_T")
+_ListType = TypeVar("_ListType", bound="RecordList[Any]")
+
+
+class RecordList(Sequence[_T]):
+    """A sequence of records, which never changes, on structs of the library.
+
+    A pickle has the structs and no handle.
+    """
+
+    __slots__ = ("_bytes", "_handle", "_records")
+
+    _struct: ClassVar[Any]
+    """The C type of the structs."""
+    _noun: ClassVar[str]
+    """What one record is called."""
+    _bytes: bytes
+    """The structs of the library."""
+    _handle: Any
+    """The list of the library, for the next question to a scene; None where there is none."""
+    _records: Optional[tuple[_T, ...]]
+    """The records, once one was asked for."""
+
+    def __init__(self, structs: bytes, handle: Any = None) -> None:
+        self._bytes, self._handle, self._records = structs, handle, None
+
+    @property
+    def array(self) -> numpy.typing.NDArray[numpy.void]:
+        """A structured array of n, which cannot be written to.
+
+        Every access looks at the same memory, without a copy. A list of records without
+        numpy.
+        """
+        try:
+            import numpy
+        except ImportError:
+            return list(self)  # type: ignore[return-value]
+        return numpy.frombuffer(self._bytes, dtype_of(self._struct))
+
+    def _all(self) -> tuple[_T, ...]:
+        if self._records is None:
+            structs = (self._struct * len(self)).from_buffer_copy(self._bytes)
+            self._records = tuple(map(record_of(self._struct), structs))
+        return self._records
+
+    def __len__(self) -> int:
+        return len(self._bytes) // sizeof(self._struct)
+
+    @overload
+    def __getitem__(self, index: int) -> _T: ...
+
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[_T]: ...
+
+    def __getitem__(self, index: Union[int, slice]) -> Union[_T, Sequence[_T]]:
+        return self._all()[index]
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, type(self)):
+            return NotImplemented
+        return self._bytes == other._bytes
+
+    def __hash__(self) -> int:
+        return hash(self._bytes)
+
+    def __copy__(self: _ListType) -> _ListType:
+        return self
+
+    def __deepcopy__(self: _ListType, _memo: object) -> _ListType:
+        return self
+
+    def __repr__(self) -> str:
+        plural = "s" if len(self) != 1 else ""
+        return f"<gcv.{type(self).__name__} of {len(self)} {self._noun}{plural}>"
+
+    def __reduce__(self) -> tuple[type[RecordList[_T]], tuple[bytes, ...]]:
+        return type(self), (self._bytes,)

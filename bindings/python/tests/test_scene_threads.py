@@ -1,0 +1,221 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Scenes that threads share, and questions to them that take long."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from typing import Any, Callable
+
+import numpy as np
+import pytest
+from shapes import SQUARE, star
+from test_long_calls import TimeIsUpError, interrupted
+from test_scene_questions import BLOCK, row
+
+import gcv
+from gcv._gate import Gate
+
+CROWD = gcv.Scene()
+CROWD.add(
+    [star(2000, seed) for seed in range(20)],
+    np.random.default_rng(3).uniform(-5, 5, (20, 2)),
+)
+VISITOR = star(2000, 99)
+PLACES = np.random.default_rng(1).uniform(-6, 6, (300000, 2))
+LONG: list[Callable[..., object]] = [
+    lambda **options: CROWD.relation(VISITOR, PLACES, **options),
+    lambda **options: CROWD.distance(VISITOR, PLACES, threads=2, **options),
+    lambda **options: CROWD.cast(VISITOR, PLACES, (1, 0), **options),
+]
+
+
+@pytest.mark.parametrize("question", LONG)
+def test_keyboard_interrupt_cancels(question: Callable[..., object]) -> None:
+    with interrupted():
+        question()
+    assert threading.active_count() == 1
+    CROWD.move(2, CROWD.positions(2))
+
+
+@pytest.mark.parametrize("question", LONG)
+def test_progress_that_raises_cancels(question: Callable[..., object]) -> None:
+    def progress(_done: int, _estimate: int) -> None:
+        raise TimeIsUpError
+
+    with pytest.raises(TimeIsUpError):
+        question(progress=progress)
+    assert threading.active_count() == 1
+    CROWD.move(2, CROWD.positions(2))
+
+
+CHANGES: list[Callable[[gcv.Scene], object]] = [
+    lambda scene: scene.add(BLOCK),
+    lambda scene: scene.set(2, BLOCK),
+    lambda scene: scene.move(2, (9, 9)),
+    lambda scene: scene.set_layers(2, 1),
+    lambda scene: scene.remove(2),
+    lambda scene: setattr(scene, "container", SQUARE),
+]
+
+
+@pytest.mark.parametrize("change", CHANGES)
+def test_progress_must_not_change_the_scene(change: Callable[[gcv.Scene], object]) -> None:
+    scene = row()
+    questions: list[Callable[[Any], object]] = [
+        lambda progress: scene.relation(BLOCK, (1, 0), progress=progress),
+        lambda progress: scene.distance(BLOCK, [(1, 0)], progress=progress),
+        lambda progress: scene.cast(BLOCK, (1, 0), (1, 0), progress=progress),
+        lambda progress: scene.near(BLOCK, (1, 0), 1, progress=progress),
+        lambda progress: scene.pairs(1, progress=progress),
+        lambda progress: scene.contacts(1, progress=progress),
+    ]
+    for question in questions:
+        with pytest.raises(RuntimeError, match=r"^the scene is being asked: it cannot change "):
+            question(lambda *_: change(scene))
+    assert scene.ids.tolist() == [2, 3, 4]
+    assert scene.positions(2) == (0, 0)
+    assert scene.container is None
+    change(scene)
+
+
+def test_progress_may_ask_the_scene() -> None:
+    scene = row()
+    told: list[Any] = []
+
+    def progress(_done: int, _estimate: int) -> None:
+        told.append((scene.relation(BLOCK, (1, 0)), len(scene), scene.copy().ids.tolist()))
+
+    scene.pairs(1, progress=progress)
+    assert told == [(gcv.TOUCHING, 3, [2, 3, 4])]
+
+
+def test_progress_may_change_another_scene() -> None:
+    scene, other = row(), row()
+    scene.pairs(1, progress=lambda *_: other.remove(other.ids))
+    assert len(other) == 0
+
+
+def test_threads() -> None:
+    """Two members that move together are never seen apart."""
+    scene = gcv.Scene()
+    left, right = scene.add(BLOCK, [(0, 0), (1, 0)])
+    stop = threading.Event()
+
+    def look() -> int:
+        looks = 0
+        while not stop.is_set():
+            assert list(scene.pairs()) == [(left, right, gcv.TOUCHING)]
+            assert np.ptp(scene.positions()[:, 0]) == 1
+            assert scene.distance(BLOCK, (0, 9)).id in (left, right)
+            looks += 1
+        return looks
+
+    with ThreadPoolExecutor(3) as pool:
+        looking = [pool.submit(look) for _ in range(3)]
+        for k in range(300):
+            scene.move([left, right], [(k, 0), (k + 1, 0)])
+            added = scene.add(BLOCK, (k, 20))
+            scene.set_layers(added, 2)
+            scene.remove(added)
+        stop.set()
+        assert all(done.result() > 0 for done in looking)
+
+
+def test_threads_that_all_change() -> None:
+    scene = gcv.Scene()
+
+    def work(k: int) -> list[int]:
+        kept = []
+        for n in range(50):
+            first, second = scene.add(BLOCK, [(3 * n, 3 * k), (3 * n, -3 * k)]).tolist()
+            scene.remove(first)
+            kept.append(second)
+        return kept
+
+    with ThreadPoolExecutor(4) as pool:
+        kept = [id for ids in pool.map(work, range(4)) for id in ids]
+    assert sorted(kept) == list(scene) == scene.ids.tolist()
+    assert scene.add(BLOCK) == 402
+
+
+def test_a_change_waits_for_questions() -> None:
+    scene = row()
+    changing, changed = threading.Event(), threading.Event()
+
+    def change() -> None:
+        changing.set()
+        scene.remove(2)
+        changed.set()
+
+    worker = threading.Thread(target=change)
+
+    def progress(_done: int, _estimate: int) -> None:
+        worker.start()
+        assert changing.wait(10)
+        assert not changed.wait(0.05)
+        # A thread that asks may go on while a change waits for it.
+        assert scene.relation(BLOCK, (-1, 0)) is gcv.TOUCHING
+
+    assert scene.pairs(1, progress=progress)[0][:2] == (2, 3)
+    worker.join()
+    assert changed.is_set()
+    assert 2 not in scene
+
+
+def test_an_interrupted_change_that_waits() -> None:
+    """Questions go on where a change gave up waiting for others."""
+    gate = Gate()
+    asking, done = threading.Event(), threading.Event()
+
+    def ask() -> None:
+        with gate.asking():
+            asking.set()
+            done.wait(10)
+
+    worker = threading.Thread(target=ask)
+    worker.start()
+    asking.wait(10)
+
+    def time_is_up(_signal: int, _frame: object) -> None:
+        raise TimeIsUpError
+
+    before = signal.signal(signal.SIGALRM, time_is_up)
+    signal.setitimer(signal.ITIMER_REAL, 0.05)
+    try:
+        with pytest.raises(TimeIsUpError), gate.changing():
+            pass
+    finally:
+        signal.signal(signal.SIGALRM, before)
+    with gate.asking():
+        pass
+    done.set()
+    worker.join()
+    with gate.changing():
+        pass
+
+
+def test_nothing_goes_on_within_a_change() -> None:
+    gate = Gate()
+    with gate.changing():
+        for again in (gate.asking, gate.changing):
+            with pytest.raises(RuntimeError, match=r"^the scene is being changed: "), again():
+                pass
+    refused = pytest.raises(RuntimeError, match=r"^the scene is being asked: ")
+    with gate.asking(), gate.asking(), refused, gate.changing():
+        pass
+    with gate.changing():
+        pass
+
+
+def test_a_long_change_is_made_as_a_whole() -> None:
+    """Ctrl-C comes meanwhile, and the scene knows all of its members."""
+    scene = gcv.Scene()
+    polygons = [star(3000, seed) for seed in range(100)]
+    with interrupted():
+        for _ in range(10000):
+            scene.add(polygons)
+    assert scene.ids.tolist() == list(scene)
+    assert len(scene) % 100 == 0
