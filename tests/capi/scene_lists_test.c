@@ -165,7 +165,7 @@ static void what_is_refused(void) {
   const double good[] = {0, 0}, bad[] = {0, NAN};
   gcv_polygon *unit = SQUARE(1);
   gcv_scene *scene = scene_in_line(unit), *other = scene_in_line(unit);
-  gcv_pair_list *out = NULL, *of_other = NULL;
+  gcv_pair_list *out = NULL, *of_other = NULL, *near = NULL;
   gcv_contact_list *contacts = NULL, *contacts_of_other = NULL;
   gcv_query query = GCV_QUERY_INIT;
   CHECK_REFUSED(GCV_ERR_NOT_FINITE, "position",
@@ -193,10 +193,13 @@ static void what_is_refused(void) {
                 gcv_scene_pairs(scene, NULL, 1, &query, NULL, &out));
   CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "struct_size",
                 gcv_scene_contacts(scene, NULL, 1, 0, &query, NULL, &contacts));
-  /* Lists of a scene that only looks the same, and of two polygons. */
+  /* Lists of a scene that only looks the same, of one polygon in it, and of two polygons. */
   CHECK_OK(gcv_scene_pairs(other, NULL, 1, NULL, NULL, &of_other));
   CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "previous",
                 gcv_scene_pairs(scene, of_other, 1, NULL, NULL, &out));
+  CHECK_OK(gcv_scene_near(scene, unit, good, 1, NULL, NULL, &near));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "previous",
+                gcv_scene_pairs(scene, near, 1, NULL, NULL, &out));
   CHECK_OK(gcv_scene_contacts(other, NULL, 1, 0, NULL, NULL, &contacts_of_other));
   CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "previous",
                 gcv_scene_contacts(scene, contacts_of_other, 1, 0, NULL, NULL, &contacts));
@@ -207,6 +210,7 @@ static void what_is_refused(void) {
   CHECK(out == NULL && contacts == NULL);
   gcv_contact_list_destroy(contacts_of_other);
   gcv_pair_list_destroy(of_other);
+  gcv_pair_list_destroy(near);
   gcv_scene_destroy(scene);
   gcv_scene_destroy(other);
   gcv_polygon_destroy(unit);

@@ -296,9 +296,11 @@ static void layers_are_those_of_the_member(void) {
   CHECK_OK(gcv_scene_relation(scene, square, place, 1, &query, NULL, &relation));
   CHECK(relation == GCV_OVERLAPPING);
   CHECK_OK(gcv_scene_remove(scene, ids, 1));
-  query.layers = UINT32_MAX;
+  query.layers = UINT32_MAX; /* the other one is in no layer */
   CHECK_OK(gcv_scene_relation(scene, square, place, 1, &query, NULL, &relation));
-  CHECK(relation == GCV_APART); /* the other one is in no layer */
+  CHECK(relation == GCV_APART);
+  CHECK_OK(gcv_scene_relation(scene, square, place, 1, NULL, NULL, &relation));
+  CHECK(relation == GCV_APART);
   CHECK(add(scene, square, 0, 0) == 4);
   query.layers = 1;
   CHECK_OK(gcv_scene_relation(scene, square, place, 1, &query, NULL, &relation));

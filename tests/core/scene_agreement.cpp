@@ -124,7 +124,8 @@ PlacedSolids asked_solids(const CheckedScene& scene, const gcv_query* query) {
       const std::uint64_t* const end = query->ignore + query->ignore_count;
       return std::find(query->ignore, end, solid.id) != end;
     };
-    if (query == nullptr || ((solid.layers & query->layers) != 0 && !is_ignored())) {
+    if (query == nullptr ? solid.layers != 0
+                         : (solid.layers & query->layers) != 0 && !is_ignored()) {
       solids.push_back(&solid);
     }
   }
