@@ -339,6 +339,37 @@ static void what_is_refused(void) {
   gcv_polygon_destroy(distant);
 }
 
+/* Queries of a later version, of which this library knows all that is set, or not. */
+static void later_queries(void) {
+  struct {
+    gcv_query known;
+    unsigned char later[16];
+  } query = {GCV_QUERY_INIT, {0}};
+  const double place[] = {0, 0};
+  const uint64_t two = 2;
+  gcv_polygon *square = SQUARE(2);
+  gcv_scene *scene = new_scene();
+  int8_t relation = 77;
+  add(scene, square, 1, 1);
+  query.known.struct_size = sizeof query;
+  CHECK_OK(gcv_scene_relation(scene, square, place, 1, &query.known, NULL, &relation));
+  CHECK(relation == GCV_OVERLAPPING);
+  query.known.ignore = &two;
+  query.known.ignore_count = 1;
+  CHECK_OK(gcv_scene_relation(scene, square, place, 1, &query.known, NULL, &relation));
+  CHECK(relation == GCV_APART);
+  query.later[15] = 1;
+  relation = 77;
+  CHECK_STATUS(GCV_ERR_INVALID_ARGUMENT,
+               gcv_scene_relation(scene, square, place, 1, &query.known, NULL, &relation));
+  query.known.struct_size = sizeof query.known - 1;
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "struct_size",
+                gcv_scene_relation(scene, square, place, 1, &query.known, NULL, &relation));
+  CHECK(relation == 77);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(square);
+}
+
 /* What is beyond the largest double does not matter where something else is nearer. */
 static void only_the_nearest_must_be_in_range(void) {
   gcv_polygon *unit = SQUARE(1);
@@ -362,6 +393,7 @@ int main(void) {
   hits_at_the_same_time();
   coordinates_that_are_no_doubles();
   what_is_refused();
+  later_queries();
   only_the_nearest_must_be_in_range();
   return check_failures != 0;
 }

@@ -236,7 +236,7 @@ class LargeScene {
       for (gcv_contact c : invariants::elements(gcv_contact_list_contacts, list)) {
         c.id_a = pair.a;
         c.id_b = pair.b;
-        for (const std::size_t k : {0, 1}) {
+        for (const std::size_t k : {0U, 1U}) {
           c.on_a[k] += a.position[k];
           c.on_b[k] += a.position[k];
         }
@@ -325,18 +325,18 @@ class LargeScenes : public ::testing::TestWithParam<int> {};
 TEST_P(LargeScenes, AnswerAsTheirMembersDo) {
   LargeScene scene(static_cast<std::uint64_t>(GetParam()));
   std::size_t pairs = 0;
-  for (const std::size_t count : {1, 4, 60, 700}) {
+  for (const std::size_t count : {1U, 4U, 60U, 700U}) {
     scene.add(count);
     pairs += scene.check_lists(0);
     scene.check_places(10);
   }
-  for (const std::size_t one_in : {40, 5, 1}) {
+  for (const std::size_t one_in : {40U, 5U, 1U}) {
     scene.move(one_in);
     pairs += scene.check_lists(0);
     scene.check_places(10);
   }
   pairs += scene.check_lists(0.75);
-  for (const std::size_t one_in : {30, 3, 2, 2}) {
+  for (const std::size_t one_in : {30U, 3U, 2U, 2U}) {
     scene.remove(one_in);
     pairs += scene.check_lists(0.75);
     scene.add(30);

@@ -39,7 +39,7 @@ class MembersAlone {
                                         const gcv_polygon* moving, const Point& position) {
     MembersAlone result(moving);
     for (const PlacedMember& member : members) {
-      for (const std::size_t k : {0, 1}) {
+      for (const std::size_t k : {0U, 1U}) {
         if (!subtracts_exactly(position[k], member.position[k])) {
           return std::nullopt;
         }
@@ -78,6 +78,7 @@ class MembersAlone {
           "another contact of the nearest one" + where);
     const test::Id first = first_met();
     check(first == 0 || first == nearest->id, "not the smallest id" + where);
+    check(is_first_of_its_kind(*nearest), "the nearest one is not the first" + where);
   }
 
   void check_cast(const gcv_impact& got, const Point& motion, const std::string& where) const {
@@ -99,6 +100,7 @@ class MembersAlone {
       check(alone && alone->hit == 1 && alone->time == first &&
                 same_feature(alone->contact, got.contact),
             "another contact of what is hit" + where);
+      check(is_first_of_its_kind(*met), "what is hit is not the first" + where);
     }
   }
 
@@ -112,6 +114,14 @@ class MembersAlone {
       }
     }
     return nullptr;
+  }
+
+  // Is there no member with a smaller id that is the same at the same place?
+  [[nodiscard]] bool is_first_of_its_kind(const PlacedMember& member) const {
+    return std::none_of(members_.begin(), members_.end(), [&](const PlacedMember& other) {
+      return other.id < member.id && other.polygon == member.polygon &&
+             other.position == member.position;
+    });
   }
 
   // The smallest id of those that touch or overlap, or 0.
