@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "convex_relation.hpp"
 #include "pair_descent.hpp"
 #include "point_in_polygon.hpp"
 #include "solid_cones.hpp"
@@ -172,6 +173,9 @@ bool is_inside(const PlacedPair& placed, const Rings& touched_rings, Tally& tall
 }  // namespace
 
 Relation relation(const PlacedPair& placed, Tally& tally) {
+  if (are_small_and_convex(placed)) {
+    return convex_relation(placed, tally);
+  }
   OverlapSearch search(placed, tally);
   if (PairDescent(placed, search).run()) {
     return Relation::overlapping;

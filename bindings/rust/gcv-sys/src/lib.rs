@@ -12,9 +12,11 @@ use std::marker::{PhantomData, PhantomPinned};
 use std::os::raw::{c_char, c_void};
 
 mod region;
+mod scene;
 mod two_polygons;
 
 pub use region::*;
+pub use scene::*;
 pub use two_polygons::*;
 
 pub type gcv_status = i32;

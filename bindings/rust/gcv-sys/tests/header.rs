@@ -18,6 +18,7 @@ const MAP: &str = include_str!("../libgcv/capi/gcv.map");
 const DECLARATIONS: &str = concat!(
     include_str!("../src/lib.rs"),
     include_str!("../src/region.rs"),
+    include_str!("../src/scene.rs"),
     include_str!("../src/two_polygons.rs")
 );
 
@@ -74,6 +75,8 @@ fn layouts() {
     layout!(c, gcv_separation: distance relation reserved nearest);
     layout!(c, gcv_escape: depth translation position relation reserved contact);
     layout!(c, gcv_impact: hit relation time position contact);
+    layout!(c, gcv_query: struct_size layers ignore ignore_count);
+    layout!(c, gcv_pair: a b relation reserved);
     layout!(c, gcv_superset_edge: x0 y0 x1 y1 source);
     assert!(compiles(&c));
 
@@ -82,12 +85,12 @@ fn layouts() {
     assert_eq!(public - opaque, c.matches("sizeof").count());
 }
 
-/// The names and values of the constants of the crate.
+/// The names and values of the constants of the crate that are numbers.
 fn declared_constants() -> BTreeMap<&'static str, &'static str> {
     let constant = |line: &'static str| {
         let (name, rest) = line.strip_prefix("pub const ")?.split_once(": ")?;
         let (_, value) = rest.split_once(" = ")?;
-        Some((name, value.trim_end_matches(';')))
+        Some((name, value.strip_suffix(';')?))
     };
     DECLARATIONS.lines().filter_map(constant).collect()
 }
@@ -114,6 +117,23 @@ fn constants() {
     assert!(compiles(
         &declared.into_iter().map(asserted).collect::<String>()
     ));
+}
+
+#[test]
+fn initialisers() {
+    let size = size_of::<gcv_query>() as u32;
+    let gcv_query {
+        struct_size,
+        layers,
+        ignore,
+        ignore_count,
+    } = GCV_QUERY_INIT;
+    assert_eq!((struct_size, layers, ignore_count), (size, u32::MAX, 0));
+    assert!(ignore.is_null());
+    let (_, initialiser) = HEADER.split_once("#define GCV_QUERY_INIT").unwrap();
+    let words: Vec<_> = initialiser.split_whitespace().take(7).collect();
+    let expected = "\\ { sizeof(gcv_query), UINT32_MAX, NULL, 0 }";
+    assert_eq!(words.join(" "), expected);
 }
 
 /// A type of Rust in C.

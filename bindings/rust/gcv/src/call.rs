@@ -9,7 +9,7 @@ use std::ptr::{self, NonNull};
 
 use gcv_sys as sys;
 
-use crate::handle::{Handle, Made};
+use crate::handle::{Handle, Made, Owned};
 use crate::Error;
 
 pub(crate) const INFALLIBLE: &str = "libgcv fails here only for want of memory";
@@ -49,13 +49,20 @@ pub(crate) fn value<T: Default>(call: impl FnOnce(*mut T) -> i32) -> Result<T, E
     check(call(&mut out)).map(|()| out)
 }
 
-/// The handle that a function gives through an output argument.
-pub(crate) fn create<T: Made>(call: impl FnOnce(*mut *mut T) -> i32) -> Result<Handle<T>, Error> {
+/// The handle that a function gives through an output argument, with one owner.
+pub(crate) fn create_owned<T: Made>(
+    call: impl FnOnce(*mut *mut T) -> i32,
+) -> Result<Owned<T>, Error> {
     let mut out = ptr::null_mut();
     check(call(&mut out))?;
     let out = NonNull::new(out).expect("libgcv gives a handle where it succeeds");
     // SAFETY: the library has just made it, for the caller.
-    Ok(unsafe { Handle::own(out) })
+    Ok(unsafe { Owned::own(out) })
+}
+
+/// The handle that a function gives through an output argument, to be shared.
+pub(crate) fn create<T: Made>(call: impl FnOnce(*mut *mut T) -> i32) -> Result<Handle<T>, Error> {
+    create_owned(call).map(Handle::from)
 }
 
 /// What a function gives that makes many: `count` handles, or the status where there is none.
@@ -76,7 +83,7 @@ pub(crate) fn create_many<T: Made>(
     for (index, (pointer, status)) in made.into_iter().zip(statuses).enumerate() {
         results.push(match NonNull::new(pointer) {
             // SAFETY: the library has just made it, for the caller.
-            Some(pointer) => Ok(unsafe { Handle::own(pointer) }),
+            Some(pointer) => Ok(unsafe { Owned::own(pointer) }.into()),
             None => {
                 let message = first_message.take();
                 let message =

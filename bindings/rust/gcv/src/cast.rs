@@ -6,7 +6,7 @@ use std::fmt;
 use gcv_sys as sys;
 
 use crate::call::check;
-use crate::translations::check_length;
+use crate::lengths::same_length;
 use crate::{Contact, Error, Options, Polygon, Relation};
 
 /// How far a motion leads before the polygons overlap.
@@ -42,6 +42,12 @@ impl Impact {
         Relation::of(self.0.relation)
     }
 
+    /// The id of what is hit first in a [`Scene`](crate::Scene), also for an overlap at the
+    /// start; 0 without a hit, and of two polygons.
+    pub fn id(&self) -> u64 {
+        self.0.contact.id_a
+    }
+
     /// What is hit, with gap 0; `None` without a hit, and where B overlaps A at the start.
     ///
     /// Of several, it is the one of the smallest kind, then of the smallest number in A, then
@@ -68,6 +74,7 @@ impl fmt::Debug for Impact {
             .field("time", &self.time())
             .field("position", &self.position())
             .field("relation", &self.relation())
+            .field("id", &self.id())
             .field("contact", &self.contact())
             .finish()
     }
@@ -142,8 +149,8 @@ pub fn cast_into(
     options: &Options,
     out: &mut [Impact],
 ) -> Result<(), Error> {
-    check_length(translations, motions, "motions")?;
-    let count = check_length(translations, out, "out")?;
+    same_length(("translations", translations), ("motions", motions))?;
+    let count = same_length(("translations", translations), ("out", out))?;
     let (a, b, out) = (a.as_ptr(), b.as_ptr(), out.as_mut_ptr().cast());
     let (from, motions) = (translations.as_ptr().cast(), motions.as_ptr().cast());
     // SAFETY: the polygons are alive, the options are for the call, and there are as many

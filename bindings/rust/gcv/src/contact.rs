@@ -65,6 +65,17 @@ impl Contact {
         }
     }
 
+    /// The id of A in its [`Scene`](crate::Scene): of a member, or
+    /// [`Scene::CONTAINER`](crate::Scene::CONTAINER). 0 where A is of no scene.
+    pub fn id_a(&self) -> u64 {
+        self.0.id_a
+    }
+
+    /// The id of B in its [`Scene`](crate::Scene); 0 where B is of no scene.
+    pub fn id_b(&self) -> u64 {
+        self.0.id_b
+    }
+
     /// The distance between the features, correctly rounded.
     ///
     /// In a list of [`contacts`](crate::contacts()) it is below 0 where the polygons overlap
@@ -99,6 +110,8 @@ impl fmt::Debug for Contact {
         formatter
             .debug_struct("Contact")
             .field("kind", &self.kind())
+            .field("id_a", &self.id_a())
+            .field("id_b", &self.id_b())
             .field("gap", &self.gap())
             .field("normal", &self.normal())
             .field("on_a", &self.on_a())

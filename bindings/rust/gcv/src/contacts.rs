@@ -9,22 +9,53 @@ use std::sync::Arc;
 use gcv_sys as sys;
 
 use crate::call::{create, elements};
+use crate::handle::Handle;
 use crate::{Contact, Error, Options, Polygon};
 
-/// The contacts of two polygons: a slice of [`Contact`], nearest first.
+/// The contacts of two polygons, or of a scene: a slice of [`Contact`], nearest first.
 ///
-/// Made by [`contacts`]. It never changes: a clone is the same one, and costs nothing.
-#[derive(Clone, PartialEq)]
+/// Made by [`contacts`] and [`Scene::contacts`](crate::Scene::contacts). It never changes: a clone
+/// is the same one, and costs nothing. Two are equal where their contacts and what
+/// [`ContactList::previous`] gives are.
+#[derive(Clone)]
 pub struct ContactList {
+    list: Handle<sys::gcv_contact_list>,
     contacts: Arc<[Contact]>,
     previous: Arc<[Option<usize>]>,
 }
 
 impl ContactList {
-    /// For each contact its index in the earlier list that was passed, or `None`: for all contacts
-    /// of [`contacts`], which takes no list.
+    /// With what the library's list has.
+    pub(crate) fn of(list: Handle<sys::gcv_contact_list>) -> Self {
+        // SAFETY: see `elements`.
+        let contacts: Vec<sys::gcv_contact> = elements(|out, capacity, required| unsafe {
+            sys::gcv_contact_list_contacts(list.as_ptr(), out, capacity, required)
+        });
+        // SAFETY: see `elements`.
+        let previous: Vec<u64> = elements(|out, capacity, required| unsafe {
+            sys::gcv_contact_list_previous(list.as_ptr(), out, capacity, required)
+        });
+        Self {
+            list,
+            contacts: contacts.into_iter().filter_map(Contact::of).collect(),
+            previous: previous.into_iter().map(index).collect(),
+        }
+    }
+
+    pub(crate) fn as_list_ptr(&self) -> *const sys::gcv_contact_list {
+        self.list.as_ptr()
+    }
+
+    /// For each contact its index in the earlier list that was passed, or `None` where it was not
+    /// there: for all contacts of [`contacts`], which takes no list.
     pub fn previous(&self) -> &[Option<usize>] {
         &self.previous
+    }
+}
+
+impl PartialEq for ContactList {
+    fn eq(&self, other: &Self) -> bool {
+        self.contacts == other.contacts && self.previous == other.previous
     }
 }
 
@@ -105,16 +136,5 @@ pub fn contacts(
     let list = options.pass(|options| {
         create(|out| unsafe { sys::gcv_contacts(a, b, t, distance, slope, options, out) })
     })?;
-    // SAFETY: see `elements`.
-    let contacts: Vec<sys::gcv_contact> = elements(|out, capacity, required| unsafe {
-        sys::gcv_contact_list_contacts(list.as_ptr(), out, capacity, required)
-    });
-    // SAFETY: see `elements`.
-    let previous: Vec<u64> = elements(|out, capacity, required| unsafe {
-        sys::gcv_contact_list_previous(list.as_ptr(), out, capacity, required)
-    });
-    Ok(ContactList {
-        contacts: contacts.into_iter().filter_map(Contact::of).collect(),
-        previous: previous.into_iter().map(index).collect(),
-    })
+    Ok(ContactList::of(list))
 }

@@ -6,7 +6,7 @@ use std::fmt;
 use gcv_sys as sys;
 
 use crate::call::check;
-use crate::translations::check_length;
+use crate::lengths::same_length;
 use crate::{Contact, Error, Options, Polygon, Relation};
 
 /// How far two polygons are from each other.
@@ -19,7 +19,8 @@ pub struct Separation(sys::gcv_separation);
 impl Separation {
     /// The Euclidean distance, correctly rounded; 0 where they touch or overlap.
     ///
-    /// It can underflow to 0 while they are apart.
+    /// It can underflow to 0 while they are apart. In a scene it is infinite where there is
+    /// nothing to be near.
     pub fn distance(&self) -> f64 {
         self.0.distance
     }
@@ -27,6 +28,12 @@ impl Separation {
     /// How they lie, exactly.
     pub fn relation(&self) -> Relation {
         Relation::of(self.0.relation)
+    }
+
+    /// The id of what is nearest in a [`Scene`](crate::Scene), also where the distance is 0; 0
+    /// where there is nothing, and of two polygons.
+    pub fn id(&self) -> u64 {
+        self.0.nearest.id_a
     }
 
     /// Where the distance is taken; `None` where they touch or overlap.
@@ -44,6 +51,7 @@ impl fmt::Debug for Separation {
             .debug_struct("Separation")
             .field("distance", &self.distance())
             .field("relation", &self.relation())
+            .field("id", &self.id())
             .field("nearest", &self.nearest())
             .finish()
     }
@@ -127,7 +135,7 @@ pub fn distance_into(
     options: &Options,
     out: &mut [Separation],
 ) -> Result<(), Error> {
-    let count = check_length(translations, out, "out")?;
+    let count = same_length(("translations", translations), ("out", out))?;
     let (xy, out) = (translations.as_ptr().cast(), out.as_mut_ptr().cast());
     // SAFETY: the polygons are alive, the options are for the call, and there are as many
     // translations and as much room as said.

@@ -30,29 +30,54 @@ impl Made for sys::gcv_contact_list {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_contact_list_destroy;
 }
 
+impl Made for sys::gcv_pair_list {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_pair_list_destroy;
+}
+
+impl Made for sys::gcv_scene {
+    const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_scene_destroy;
+}
+
 impl Made for sys::gcv_superset {
     const DESTROY: unsafe extern "C" fn(*mut Self) = sys::gcv_superset_destroy;
+}
+
+/// What the library made, with one owner. Without `&mut` it does not change.
+pub(crate) struct Owned<T: Made>(NonNull<T>);
+
+// SAFETY: the library lets any thread use it and any thread end it. What can change does so only
+// by the pointer of `as_mut_ptr`, when no other thread uses it.
+unsafe impl<T: Made> Send for Owned<T> {}
+unsafe impl<T: Made> Sync for Owned<T> {}
+
+impl<T: Made> Owned<T> {
+    /// # Safety
+    /// The pointer is to what is alive, and is not owned by anything else.
+    pub(crate) unsafe fn own(pointer: NonNull<T>) -> Self {
+        Self(pointer)
+    }
+
+    pub(crate) fn as_ptr(&self) -> *const T {
+        self.0.as_ptr()
+    }
+
+    pub(crate) fn as_mut_ptr(&mut self) -> *mut T {
+        self.0.as_ptr()
+    }
 }
 
 /// A handle of the library. It never changes, so that its clones are the same one.
 pub(crate) struct Handle<T: Made>(Arc<Owned<T>>);
 
-struct Owned<T: Made>(NonNull<T>);
-
-// SAFETY: what the library made does not change from its creation to its destruction, and
-// the library lets any thread use it and any thread end it.
-unsafe impl<T: Made> Send for Owned<T> {}
-unsafe impl<T: Made> Sync for Owned<T> {}
-
 impl<T: Made> Handle<T> {
-    /// # Safety
-    /// The pointer is to what is alive, and is not owned by anything else.
-    pub(crate) unsafe fn own(pointer: NonNull<T>) -> Self {
-        Self(Arc::new(Owned(pointer)))
-    }
-
     pub(crate) fn as_ptr(&self) -> *const T {
-        self.0 .0.as_ptr()
+        self.0.as_ptr()
+    }
+}
+
+impl<T: Made> From<Owned<T>> for Handle<T> {
+    fn from(owned: Owned<T>) -> Self {
+        Self(Arc::new(owned))
     }
 }
 

@@ -11,9 +11,12 @@
 //! [`relation`], [`distance`] and [`cast`] take two polygons and a translation of the second
 //! one, or many translations, and build nothing.
 //!
+//! A [`Scene`] holds many polygons at positions, and perhaps a container round them. It answers
+//! the same questions about all of them, and which of them are near each other.
+//!
 //! Every coordinate is a finite `f64` and stands for exactly that number; nothing is
-//! rounded but the coordinates that are handed back as `f64`. Polygons, outer faces and regions
-//! never change, so threads may share them.
+//! rounded but the coordinates that are handed back as `f64`. Polygons, outer faces, regions and
+//! lists never change, so threads may share them; what changes a scene takes `&mut`.
 //!
 //! ```
 //! use gcv::{minkowski_sum, Options, Polygon};
@@ -41,20 +44,23 @@ mod exact;
 #[cfg(feature = "geo-types")]
 mod geo;
 mod handle;
+mod lengths;
 mod location;
 mod options;
 mod outer_face;
+mod pairs;
 mod part;
 mod penetration;
 mod point;
 mod polygon;
+mod query;
 mod region;
 mod regions;
 mod relation;
+mod scene;
 mod source;
 mod stats;
 mod sums;
-mod translations;
 
 pub use cast::{cast, cast_into, cast_many, Impact};
 pub use contact::{Contact, ContactKind};
@@ -64,16 +70,19 @@ pub use error::{status, Error, ErrorKind};
 pub use location::Location;
 pub use options::{Options, Rounding};
 pub use outer_face::OuterFace;
+pub use pairs::{Pair, PairList};
 pub use part::{Part, PartKind};
 pub use penetration::{penetration, penetration_into, penetration_many, Escape};
 pub use point::Point;
 pub use polygon::Polygon;
+pub use query::Query;
 pub use region::Region;
 pub use regions::{
     entrance_region, inner_fit_region, minkowski_sum_region, minkowski_sum_region_many,
     no_fit_region, no_fit_region_many,
 };
 pub use relation::{relation, relation_into, relation_many, Relation};
+pub use scene::Scene;
 pub use source::EdgeSource;
 pub use stats::Stats;
 pub use sums::{

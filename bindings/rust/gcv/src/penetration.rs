@@ -6,7 +6,7 @@ use std::fmt;
 use gcv_sys as sys;
 
 use crate::call::check;
-use crate::translations::check_length;
+use crate::lengths::same_length;
 use crate::{Contact, Error, Options, Polygon, Relation};
 
 /// How deep two polygons overlap, and the shortest way out.
@@ -124,7 +124,7 @@ pub fn penetration_into(
     options: &Options,
     out: &mut [Escape],
 ) -> Result<(), Error> {
-    let count = check_length(translations, out, "out")?;
+    let count = same_length(("translations", translations), ("out", out))?;
     let (xy, out) = (translations.as_ptr().cast(), out.as_mut_ptr().cast());
     // SAFETY: the polygons are alive, the options are for the call, and there are as many
     // translations and as much room as said.

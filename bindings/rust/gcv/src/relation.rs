@@ -4,7 +4,7 @@
 use gcv_sys as sys;
 
 use crate::call::check;
-use crate::translations::check_length;
+use crate::lengths::same_length;
 use crate::{Error, Options, Polygon};
 
 /// How two polygons lie.
@@ -108,7 +108,7 @@ pub fn relation_into(
     options: &Options,
     out: &mut [Relation],
 ) -> Result<(), Error> {
-    let count = check_length(translations, out, "out")?;
+    let count = same_length(("translations", translations), ("out", out))?;
     let (xy, out) = (translations.as_ptr().cast(), out.as_mut_ptr().cast());
     // SAFETY: the polygons are alive, the options are for the call, and there are as many
     // translations and as much room as said. What is written are values of `Relation`.

@@ -7,7 +7,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use gcv::{cast, cast_into, distance, distance_into, relation, relation_into};
-use gcv::{Impact, Options, Polygon, Relation, Separation};
+use gcv::{Impact, Options, Polygon, Query, Relation, Scene, Separation};
 
 struct Counting;
 
@@ -57,6 +57,41 @@ fn questions_about_two_polygons() {
         relation_into(a, b, t, &options, &mut relations).unwrap();
         distance_into(a, b, t, &options, &mut separations).unwrap();
         cast_into(a, b, t, t, &options, &mut impacts).unwrap();
+    });
+    assert_eq!(count, 0);
+}
+
+#[test]
+fn questions_to_scenes() {
+    let square = Polygon::new(&[[0., 0.], [1., 0.], [1., 1.], [0., 1.]]).unwrap();
+    let mut scene = Scene::new();
+    let ids = scene.add_many(&[&square; 3], &[[0., 0.], [2., 0.], [9., 0.]]);
+    let ids = ids.unwrap();
+    let (query, options, at) = (Query::new().ignore(&ids[1..]), Options::new(), [3., 4.]);
+    let (positions, mut relations) = ([at; 100], [Relation::Apart; 100]);
+    let mut separations = [Separation::default(); 100];
+    let mut impacts = [Impact::default(); 100];
+    let count = allocations(|| {
+        scene.relation(&square, at, &query, &options).unwrap();
+        scene.distance(&square, at, &query, &options).unwrap();
+        scene.cast(&square, at, at, &query, &options).unwrap();
+        let (moving, from) = (&square, &positions);
+        scene
+            .relation_into(moving, from, &query, &options, &mut relations)
+            .unwrap();
+        scene
+            .distance_into(moving, from, &query, &options, &mut separations)
+            .unwrap();
+        scene
+            .cast_into(moving, from, from, &query, &options, &mut impacts)
+            .unwrap();
+    });
+    assert_eq!(count, 0);
+
+    let count = allocations(|| {
+        scene.set_positions(&ids, &positions[..3]).unwrap();
+        scene.set_layers(&ids, &[1, 2, 3]).unwrap();
+        scene.remove(&ids).unwrap();
     });
     assert_eq!(count, 0);
 }

@@ -39,7 +39,7 @@ fn a_hit() {
     assert_eq!(contact.normal(), [1., 0.]);
     let debug = format!(
         "Impact {{ hit: true, time: 0.5, position: [1.0, 0.25], relation: Touching, \
-         contact: Some({contact:?}) }}"
+         id: 0, contact: Some({contact:?}) }}"
     );
     assert_eq!(format!("{found:?}"), debug);
 

@@ -33,10 +33,11 @@ fn corners() {
     };
     assert_eq!((nearest.kind(), nearest.normal()), (kind, [0.6, 0.8]));
     assert_eq!((nearest.on_a(), nearest.on_b()), ([1., 1.], [4., 5.]));
-    let debug = "Contact { kind: VertexVertex { vertex_a: 2, vertex_b: 0 }, gap: 5.0, \
-                 normal: [0.6, 0.8], on_a: [1.0, 1.0], on_b: [4.0, 5.0] }";
+    let debug = "Contact { kind: VertexVertex { vertex_a: 2, vertex_b: 0 }, id_a: 0, id_b: 0, \
+                 gap: 5.0, normal: [0.6, 0.8], on_a: [1.0, 1.0], on_b: [4.0, 5.0] }";
     assert_eq!(format!("{nearest:?}"), debug);
-    let debug = format!("Separation {{ distance: 5.0, relation: Apart, nearest: Some({debug}) }}");
+    let debug =
+        format!("Separation {{ distance: 5.0, relation: Apart, id: 0, nearest: Some({debug}) }}");
     assert_eq!(format!("{found:?}"), debug);
 }
 
@@ -128,7 +129,7 @@ fn touching_and_overlapping() {
     }
     let touching = separation(&slot(), &square(2.), [2., 4.]);
     assert_eq!(touching, Separation::default());
-    let debug = "Separation { distance: 0.0, relation: Touching, nearest: None }";
+    let debug = "Separation { distance: 0.0, relation: Touching, id: 0, nearest: None }";
     assert_eq!(format!("{touching:?}"), debug);
 }
 
