@@ -9,13 +9,12 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
-#include <iostream>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "case_options.hpp"
 #include "contact_scenes.hpp"
 #include "scene_agreement.hpp"
 #include "scene_texts.hpp"
@@ -23,8 +22,7 @@
 namespace gcv::test {
 namespace {
 
-int cases = 12;
-std::uint64_t seed = 1;
+CaseOptions chosen{12};
 
 using invariants::require;
 
@@ -105,8 +103,8 @@ struct SceneOfCase {
 // Calls check(case) for the scenes of the family whose polygons are valid.
 template <class Check>
 void for_each_scene(const RegionFamily& family, int most_members, int positions, Check check) {
-  Random random(seed);
-  for (int k = 0; k < cases;) {
+  Random random(chosen.seed);
+  for (int k = 0; k < chosen.cases;) {
     std::optional<SceneOfCase> scene;
     try {
       scene.emplace(member_scene(family, random, most_members, positions), random);
@@ -121,7 +119,7 @@ void for_each_scene(const RegionFamily& family, int most_members, int positions,
   }
 }
 
-// Spirals and stars have many edges: the reference takes long for them.
+// Stars have many edges: the reference takes long for them.
 int members_of(const RegionFamily& family, int most) {
   return std::string(family.name) == "spiky stars" ? most / 3 : most;
 }
@@ -134,7 +132,7 @@ TEST_P(Scenes, HaveTheRelationsOfTheDefinition) {
     return check_scene_relations(c.checked, c.moving(), c.description.positions, &c.query, counts);
   });
   std::printf("seed %llu: %zu apart, %zu touching, %zu overlapping\n",
-              static_cast<unsigned long long>(seed), counts.contacts.apart,
+              static_cast<unsigned long long>(chosen.seed), counts.contacts.apart,
               counts.contacts.touching, counts.contacts.overlapping);
 }
 
@@ -144,7 +142,7 @@ TEST_P(Scenes, HaveTheDistancesOfTheDefinition) {
     return check_scene_distances(c.checked, c.moving(), c.description.positions, &c.query, counts);
   });
   std::printf("seed %llu: %zu ties, %zu infinite, %zu out of range\n",
-              static_cast<unsigned long long>(seed), counts.ties, counts.infinite,
+              static_cast<unsigned long long>(chosen.seed), counts.ties, counts.infinite,
               counts.contacts.out_of_range);
 }
 
@@ -157,7 +155,7 @@ TEST_P(Scenes, AreHitAsByTheDefinition) {
   std::printf(
       "seed %llu: %zu hits, %zu misses, %zu overlap at the start, %zu ties, %zu without a free "
       "position, %zu out of range\n",
-      static_cast<unsigned long long>(seed), counts.contacts.hits, counts.contacts.misses,
+      static_cast<unsigned long long>(chosen.seed), counts.contacts.hits, counts.contacts.misses,
       counts.contacts.starts_inside, counts.ties, counts.contacts.not_free,
       counts.contacts.out_of_range);
 }
@@ -187,7 +185,7 @@ TEST_P(Scenes, HaveThePairsOfTheDefinition) {
     messages.insert(messages.end(), others.begin(), others.end());
     return messages;
   });
-  std::printf("seed %llu: %zu pairs\n", static_cast<unsigned long long>(seed), counts.pairs);
+  std::printf("seed %llu: %zu pairs\n", static_cast<unsigned long long>(chosen.seed), counts.pairs);
 }
 
 TEST_P(Scenes, HaveTheContactsOfTheDefinition) {
@@ -199,7 +197,7 @@ TEST_P(Scenes, HaveTheContactsOfTheDefinition) {
     return check_scene_contacts(c.checked, distance_of(c, number++), slope, &c.query, counts);
   });
   std::printf("seed %llu: %zu contacts, %zu lists out of range\n",
-              static_cast<unsigned long long>(seed), counts.contacts.listed,
+              static_cast<unsigned long long>(chosen.seed), counts.contacts.listed,
               counts.contacts.out_of_range);
 }
 
@@ -211,30 +209,7 @@ INSTANTIATE_TEST_SUITE_P(Families, Scenes,
                            return name;
                          });
 
-// Takes the options of this program. False for any other.
-bool take_options(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const std::string option = argv[k];
-    const std::string value = option.substr(option.find('=') + 1);
-    if (option.starts_with("--cases=")) {
-      cases = std::atoi(value.c_str());
-    } else if (option.starts_with("--seed=")) {
-      seed = std::strtoull(value.c_str(), nullptr, 10);
-    } else {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 }  // namespace gcv::test
 
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  if (!gcv::test::take_options(argc, argv)) {
-    std::cerr << "usage: " << argv[0] << " [--cases=N] [--seed=N]\n";
-    return 2;
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::test::chosen, argc, argv); }

@@ -10,9 +10,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <iostream>
 #include <map>
 #include <memory>
 #include <optional>
@@ -20,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "case_options.hpp"
 #include "contact_agreement.hpp"
 #include "contact_scenes.hpp"
 #include "scene_answers.hpp"
@@ -28,8 +27,7 @@
 namespace gcv::test {
 namespace {
 
-int cases = 2;
-std::uint64_t seed = 1;
+CaseOptions chosen{2};
 
 using invariants::require;
 
@@ -218,7 +216,7 @@ class Sequence {
 // Calls check(description, shapes, random) for cases of the family whose polygons are valid.
 template <class Check>
 void for_each_case(const RegionFamily& family, int count, int positions, Check check) {
-  Random random(seed);
+  Random random(chosen.seed);
   for (int k = 0; k < count;) {
     const MemberScene description = member_scene(family, random, 14, positions);
     std::optional<Shapes> shapes;
@@ -236,7 +234,7 @@ void for_each_case(const RegionFamily& family, int count, int positions, Check c
 class Sequences : public ::testing::TestWithParam<RegionFamily> {};
 
 TEST_P(Sequences, OfChangesGiveWhatIsMadeAfresh) {
-  for_each_case(GetParam(), cases, 8,
+  for_each_case(GetParam(), chosen.cases, 8,
                 [&](const MemberScene& description, const Shapes& shapes, Random& random) {
                   Sequence sequence(description, shapes, random);
                   for (int step = 0; step < 40; ++step) {
@@ -333,30 +331,7 @@ INSTANTIATE_TEST_SUITE_P(Families, Sequences,
                            return name;
                          });
 
-// Takes the options of this program. False for any other.
-bool take_options(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const std::string option = argv[k];
-    const std::string value = option.substr(option.find('=') + 1);
-    if (option.starts_with("--cases=")) {
-      cases = std::atoi(value.c_str());
-    } else if (option.starts_with("--seed=")) {
-      seed = std::strtoull(value.c_str(), nullptr, 10);
-    } else {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 }  // namespace gcv::test
 
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  if (!gcv::test::take_options(argc, argv)) {
-    std::cerr << "usage: " << argv[0] << " [--cases=N] [--seed=N]\n";
-    return 2;
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::test::chosen, argc, argv); }
