@@ -237,7 +237,7 @@ TEST_P(Sequences, OfChangesGiveWhatIsMadeAfresh) {
   for_each_case(GetParam(), chosen.cases, 8,
                 [&](const MemberScene& description, const Shapes& shapes, Random& random) {
                   Sequence sequence(description, shapes, random);
-                  for (int step = 0; step < 40; ++step) {
+                  for (int step = 0; step < 25; ++step) {
                     const std::string wrong = sequence.step();
                     if (!wrong.empty()) {
                       return wrong + " after step " + std::to_string(step);

@@ -54,7 +54,7 @@ void add_many(const gcv::faults::NewScene& scene) {
 void ask_about_scene() {
   const gcv::faults::NewScene scene;
   add_many(scene);
-  const gcv::faults::Places places = gcv::faults::scene_places(many, many);
+  const gcv::faults::Places places = gcv::faults::scene_places(many);
   for (const gcv::faults::SceneQuestion& question : gcv::faults::scene_questions) {
     ask_with_few_threads(question.name, [&](const gcv_options* options) {
       return gcv::faults::answers(question, scene, places, nullptr, options);

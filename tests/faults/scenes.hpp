@@ -52,13 +52,12 @@ struct NewScene {
   }
 };
 
-// Places of the moving polygon: in contact, in steps through the scene, and from number `near` on
-// beyond it. Each motion leads to the place before.
-inline Places scene_places(std::size_t count, std::size_t near) {
+// Places of the moving polygon, in steps through the scene. Each motion leads to the place before.
+inline Places scene_places(std::size_t count) {
   Places places;
   for (std::size_t k = 0; k < count; ++k) {
     const auto step = [k](std::size_t prime) { return static_cast<double>(k % prime); };
-    const Vertex t = k >= near ? Vertex{4e16, 3} : Vertex{step(13) - 6.5, 1.25 * step(11) - 4};
+    const Vertex t{step(13) - 6.5, 1.25 * step(11) - 4};
     const Vertex before = k == 0 ? t : places.translations.back();
     places.translations.push_back(t);
     places.motions.push_back({before.x - t.x, before.y - t.y});
@@ -137,7 +136,7 @@ inline std::string transcript(const NewScene& s) {
   for (const std::uint32_t layers : {UINT32_MAX, 1U, 4U}) {
     query.layers = layers;
     for (const SceneQuestion& question : scene_questions) {
-      bytes += answers(question, s, scene_places(4, 4), &query, nullptr);
+      bytes += answers(question, s, scene_places(4), &query, nullptr);
     }
     bytes += transcript(
         made<gcv_pair_list>([&](gcv_pair_list** out) { return near(s, &query, out); }).get());
