@@ -4,13 +4,14 @@
  */
 #include <pthread.h>
 
-#include "record.h"
+#include "scenes.h"
 
 enum { THREADS = 8, ROUNDS = 2 };
 
 static gcv_polygon *polygons[PAIRS][2];
 static gcv_outer_face *shared_face;
 static gcv_region *shared_region;
+static gcv_scene *shared_scene;
 
 static void put_everything(struct record *record) {
   int pair;
@@ -19,8 +20,25 @@ static void put_everything(struct record *record) {
   }
   put_face(record, shared_face);
   put_region(record, shared_region);
+  put_scene(record, shared_scene);
   put_others(record);
   put_refusals(record);
+}
+
+/* Members that touch, overlap and contain others, at places where they have no doubles. */
+static gcv_scene *scene_of_all(void) {
+  static const double positions[] = {0, 0, 0.1, 2, 4, 0, -3, 1, 3, 0.5, 1e16, 0};
+  static const uint32_t layers[] = {1, 3};
+  static const uint64_t ids[] = {3, 4};
+  const gcv_polygon *members[6];
+  uint64_t new_ids[6];
+  gcv_scene *scene = new_scene();
+  int k;
+  for (k = 0; k < 6; ++k) members[k] = polygons[k < 4 ? k % 2 : 4][k / 2 % 2];
+  CHECK_OK(gcv_scene_add(scene, members, positions, 6, new_ids));
+  CHECK_OK(gcv_scene_set_layers(scene, ids, layers, 2));
+  CHECK_OK(gcv_scene_set_container(scene, polygons[0][0]));
+  return scene;
 }
 
 static void *work(void *argument) {
@@ -40,9 +58,12 @@ int main(void) {
   }
   shared_face = sum_of(polygons[1][0], polygons[1][1]);
   CHECK_OK(gcv_minkowski_sum_region(polygons[1][0], polygons[1][1], NULL, &shared_region));
+  shared_scene = scene_of_all();
   put_everything(&reference);
   CHECK(reference.size > 10000);
-  /* A new one, so that the threads are the first to locate points in it. */
+  /* New ones, so that the threads are the first to ask them. */
+  gcv_scene_destroy(shared_scene);
+  shared_scene = scene_of_all();
   gcv_region_destroy(shared_region);
   CHECK_OK(gcv_minkowski_sum_region(polygons[1][0], polygons[1][1], NULL, &shared_region));
 
@@ -59,6 +80,7 @@ int main(void) {
 
   gcv_outer_face_destroy(shared_face);
   gcv_region_destroy(shared_region);
+  gcv_scene_destroy(shared_scene);
   for (pair = 0; pair < PAIRS; ++pair) {
     gcv_polygon_destroy(polygons[pair][0]);
     gcv_polygon_destroy(polygons[pair][1]);

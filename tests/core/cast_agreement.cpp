@@ -10,7 +10,6 @@
 
 #include "contact_agreement.hpp"
 #include "correct_rounding.hpp"
-#include "motion_reference.hpp"
 
 namespace gcv::test {
 
@@ -38,28 +37,6 @@ std::vector<double> doubles_near(const Rational& exact) {
   return near;
 }
 
-// The smallest one, NULL for none. Of the names of a contact where rings touch, the one that the
-// library chose, else the largest.
-const reference::Contact* wanted_contact(const gcv_contact& got,
-                                         const reference::EnteredContacts& entered) {
-  const reference::Contact* smallest = nullptr;
-  const auto take = [&](const reference::Contact& c) {
-    if (smallest == nullptr || c.feature < smallest->feature) {
-      smallest = &c;
-    }
-  };
-  if (!entered.contacts.empty()) {
-    take(entered.contacts.front());
-  }
-  for (const std::vector<reference::Contact>& names : entered.where_rings_touch) {
-    const auto chosen = std::find_if(names.begin(), names.end(), [&](const reference::Contact& c) {
-      return c.feature == reference::Feature{got.kind, got.a, got.b};
-    });
-    take(chosen != names.end() ? *chosen : names.back());
-  }
-  return smallest;
-}
-
 std::string impact_difference(const ContactPair& pair, const gcv_impact& got,
                               const reference::Impact& wanted, const Exact& start,
                               const Exact& motion, ContactCounts& counts) {
@@ -82,8 +59,30 @@ std::string impact_difference(const ContactPair& pair, const gcv_impact& got,
 
 }  // namespace
 
-std::string position_difference(const ContactPair& pair, const double position[2], int relation,
-                                const Exact& exact_place, ContactCounts& counts) {
+// The smallest one. Of the names of a contact where rings touch, the one that the library chose,
+// else the largest.
+const reference::Contact* wanted_contact(const gcv_contact& got,
+                                         const reference::EnteredContacts& entered) {
+  const reference::Contact* smallest = nullptr;
+  const auto take = [&](const reference::Contact& c) {
+    if (smallest == nullptr || c.feature < smallest->feature) {
+      smallest = &c;
+    }
+  };
+  if (!entered.contacts.empty()) {
+    take(entered.contacts.front());
+  }
+  for (const std::vector<reference::Contact>& names : entered.where_rings_touch) {
+    const auto chosen = std::find_if(names.begin(), names.end(), [&](const reference::Contact& c) {
+      return c.feature == reference::Feature{got.kind, got.a, got.b};
+    });
+    take(chosen != names.end() ? *chosen : names.back());
+  }
+  return smallest;
+}
+
+std::string position_difference(const RelationAt& relation_at, const double position[2],
+                                int relation, const Exact& exact_place, ContactCounts& counts) {
   const std::vector<double> xs = doubles_near(exact_place.x);
   const std::vector<double> ys = doubles_near(exact_place.y);
   const Point got{position[0], position[1]};
@@ -94,8 +93,7 @@ std::string position_difference(const ContactPair& pair, const double position[2
   if (!is_among(xs, got[0]) || !is_among(ys, got[1])) {
     return place + "not within 2 ulps of " + exact_place.x.str() + " " + exact_place.y.str();
   }
-  const std::string wrong_relation = relation_difference(
-      relation, reference::relation(pair.exact_a, moved(pair.exact_b, exact(got))));
+  const std::string wrong_relation = relation_difference(relation, relation_at(exact(got)));
   if (!wrong_relation.empty()) {
     return place + wrong_relation;
   }
@@ -108,12 +106,20 @@ std::string position_difference(const ContactPair& pair, const double position[2
   }
   for (const double x : xs) {
     for (const double y : ys) {
-      if (!reference::overlap(pair.exact_a, moved(pair.exact_b, exact(Point{x, y})))) {
+      if (relation_at(exact(Point{x, y})) != reference::overlapping) {
         return place + "overlaps, " + text_of(Point{x, y}) + " does not";
       }
     }
   }
   return "";
+}
+
+std::string position_difference(const ContactPair& pair, const double position[2], int relation,
+                                const Exact& exact_place, ContactCounts& counts) {
+  const auto relation_at = [&](const Exact& t) {
+    return reference::relation(pair.exact_a, moved(pair.exact_b, t));
+  };
+  return position_difference(relation_at, position, relation, exact_place, counts);
 }
 
 Messages check_casts(const ContactPair& pair, const Points& translations, const Points& motions,

@@ -21,7 +21,8 @@ using reference::Exact;
 using reference::Rational;
 
 std::string record_text(const gcv_contact& c) {
-  std::string text = std::to_string(c.kind) + ":" + std::to_string(c.a) + "," +
+  std::string text = "of " + std::to_string(c.id_a) + ", " + std::to_string(c.id_b) + ": " +
+                     std::to_string(c.kind) + ":" + std::to_string(c.a) + "," +
                      std::to_string(c.b) + " gap " + text_of(c.gap);
   for (const auto& [name, p] :
        {std::pair("normal", c.normal), std::pair("on_a", c.on_a), std::pair("on_b", c.on_b)}) {
@@ -32,20 +33,6 @@ std::string record_text(const gcv_contact& c) {
 
 std::string feature_text(const reference::Feature& f) {
   return std::to_string(f.kind) + ":" + std::to_string(f.a) + "," + std::to_string(f.b);
-}
-
-invariants::PolygonHandle made(const reference::Rings& rings) {
-  Points points;
-  std::vector<std::size_t> sizes;
-  for (const invariants::Polygon& ring : rings) {
-    points.insert(points.end(), ring.begin(), ring.end());
-    sizes.push_back(ring.size());
-  }
-  gcv_polygon* polygon = nullptr;
-  invariants::require(
-      gcv_polygon_create_rings(points.front().data(), sizes.data(), sizes.size(), 0, &polygon),
-      "a polygon");
-  return invariants::PolygonHandle(polygon);
 }
 
 void count_relation(int relation, ContactCounts& counts) {
@@ -77,6 +64,20 @@ ContactPair::ContactPair(const reference::Rings& a_rings, const reference::Rings
       b(made(b_rings)),
       exact_a(reference::make_solid(a_rings)),
       exact_b(reference::make_solid(b_rings)) {}
+
+invariants::PolygonHandle made(const reference::Rings& rings) {
+  Points points;
+  std::vector<std::size_t> sizes;
+  for (const invariants::Polygon& ring : rings) {
+    points.insert(points.end(), ring.begin(), ring.end());
+    sizes.push_back(ring.size());
+  }
+  gcv_polygon* polygon = nullptr;
+  invariants::require(
+      gcv_polygon_create_rings(points.front().data(), sizes.data(), sizes.size(), 0, &polygon),
+      "a polygon");
+  return invariants::PolygonHandle(polygon);
+}
 
 std::string text_of(double x) {
   char text[40];
@@ -123,9 +124,12 @@ bool is_out_of_range(const reference::Contact& contact) {
          is_out_of_range(contact.on_b);
 }
 
-std::string contact_difference(const gcv_contact& got, const reference::Contact* wanted) {
-  static constexpr gcv_contact none{};
+std::string contact_difference(const gcv_contact& got, const reference::Contact* wanted,
+                               const Ids& ids) {
   if (wanted == nullptr) {
+    gcv_contact none{};
+    none.id_a = ids.a;
+    none.id_b = ids.b;
     return std::memcmp(&got, &none, sizeof got) == 0 ? "" : "a contact: " + record_text(got);
   }
   const reference::Feature feature{got.kind, got.a, got.b};
@@ -143,7 +147,7 @@ std::string contact_difference(const gcv_contact& got, const reference::Contact*
     wrong = "on_a, not " + wanted->on_a.x.str() + " " + wanted->on_a.y.str();
   } else if (!are_nearest(got.on_b, wanted->on_b)) {
     wrong = "on_b, not " + wanted->on_b.x.str() + " " + wanted->on_b.y.str();
-  } else if (got.reserved != 0 || got.id_a != 0 || got.id_b != 0) {
+  } else if (got.reserved != 0 || Ids{got.id_a, got.id_b} != ids) {
     wrong = "reserved or an id";
   }
   return wrong.empty() ? ""

@@ -5,11 +5,14 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "contact_reference.hpp"
 #include "handles.hpp"
+#include "motion_reference.hpp"
 
 namespace gcv::test {
 
@@ -67,13 +70,44 @@ void report(Messages& messages, const Point& translation, const Point& motion,
 std::string relation_difference(int got, int wanted);
 bool are_nearest(const double got[2], const reference::Exact& wanted);
 
+// Of a contact: 0 for polygons that are in no scene.
+struct Ids {
+  std::uint64_t a = 0;
+  std::uint64_t b = 0;
+
+  friend bool operator==(const Ids&, const Ids&) = default;
+};
+
 // What is wrong with the record of that contact: "" if nothing.
-std::string contact_difference(const gcv_contact& got, const reference::Contact* wanted);
+std::string contact_difference(const gcv_contact& got, const reference::Contact* wanted,
+                               const Ids& ids = {});
+
+// The handle of a polygon. Throws invariants::Failure where it is not valid.
+invariants::PolygonHandle made(const reference::Rings& rings);
+
+// How polygons lie at an exact translation.
+using RelationAt = std::function<int(const reference::Exact&)>;
 
 // Is it a position for that exact translation: within two units in the last place; with the
 // relation there; free if that can be? "" if so.
+std::string position_difference(const RelationAt& relation_at, const double position[2],
+                                int relation, const reference::Exact& exact, ContactCounts& counts);
 std::string position_difference(const ContactPair& pair, const double position[2], int relation,
                                 const reference::Exact& exact, ContactCounts& counts);
+
+// The contact that a cast is to name, NULL for none.
+const reference::Contact* wanted_contact(const gcv_contact& got,
+                                         const reference::EnteredContacts& entered);
+
+// What a list is to have.
+struct ListedContact {
+  Ids ids;
+  reference::Contact contact;
+};
+
+// What is wrong with the list: "" if nothing.
+std::string list_difference(const std::vector<gcv_contact>& got,
+                            const std::vector<ListedContact>& wanted);
 
 // Has a number of the contact, or a coordinate, no double?
 bool is_out_of_range(const reference::Contact& contact);

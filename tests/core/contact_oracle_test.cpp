@@ -52,6 +52,62 @@ std::string names(const std::vector<Contact>& contacts) {
   return text;
 }
 
+// A room of 4 x 4 with a pillar in a corner, where it touches both walls' ends, and one beside it.
+Solid room() {
+  return complement(make_solid({box(0, 0, 4, 4), {{0, 0}, {1, 0.5}, {0.5, 1}}, box(2, 1, 3, 2)}));
+}
+
+TEST(Complements, AreAllOutsideAndTheHoles) {
+  const Solid solid = room();
+  const auto location_at = [&](double x, double y) { return location(solid, place(x, y)); };
+  EXPECT_EQ(location_at(-1, 2), 1);
+  EXPECT_EQ(location_at(9, 9), 1);
+  EXPECT_EQ(location_at(0, 2), 0);
+  EXPECT_EQ(location_at(0.5, 2), -1);
+  EXPECT_EQ(location_at(2.5, 1.5), 1);
+  EXPECT_EQ(location_at(2, 1), 0);
+  EXPECT_EQ(location_at(0.5, 0.5), 1);
+  for (const Exact& p : solid.inner_points) {
+    EXPECT_EQ(location(solid, p), 1);
+  }
+}
+
+TEST(Complements, KeepNumbersAndHaveTheSolidOnTheirLeft) {
+  const Solid polygon = frame();
+  const Solid solid = complement(polygon);
+  ASSERT_EQ(solid.edges.size(), polygon.edges.size());
+  for (std::size_t k = 0; k < solid.edges.size(); ++k) {
+    const Edge& edge = solid.edges[k];
+    const Corner& corner = solid.corners[k];
+    EXPECT_EQ(edge.from, corner.place);
+    EXPECT_EQ(edge.to, corner.after);
+    const auto same = std::find_if(polygon.edges.begin(), polygon.edges.end(),
+                                   [&](const Edge& e) { return e.number == edge.number; });
+    EXPECT_TRUE(same->from == edge.to && same->to == edge.from);
+    const auto there = std::find_if(polygon.corners.begin(), polygon.corners.end(),
+                                    [&](const Corner& c) { return c.number == corner.number; });
+    EXPECT_TRUE(there->place == corner.place && there->before == corner.after);
+    EXPECT_NE(there->is_convex(), corner.is_convex());
+  }
+}
+
+TEST(Complements, HoldWhatIsInThem) {
+  const Solid b = make_solid({box(0, 0, 1, 1)});
+  EXPECT_EQ(relation_at(room(), b, 0.5, 2.5), apart);
+  EXPECT_EQ(relation_at(room(), b, 0, 2.5), touching);
+  EXPECT_EQ(relation_at(room(), b, 1, 2), touching);
+  EXPECT_EQ(relation_at(room(), b, -0.5, 2.5), overlapping);
+  EXPECT_EQ(relation_at(room(), b, -1, 2.5), overlapping);
+  EXPECT_EQ(relation_at(room(), b, 7, 7), overlapping);
+  EXPECT_EQ(relation_at(room(), b, 2, 1), overlapping);
+  EXPECT_EQ(separation(room(), moved(b, place(0.75, 1.5))).squared_distance, Rational(1, 16));
+  EXPECT_EQ(names(contacts(room(), moved(b, place(3, 3)), 0, 0)), "1:1,1 1:1,2 1:2,2 1:2,3 ");
+  const Impact impact = reference::impact(room(), moved(b, place(1.5, 3)), place(4, 0));
+  EXPECT_TRUE(impact.hit);
+  EXPECT_EQ(impact.time, Rational(3, 8));
+  EXPECT_EQ(names(impact.entered.contacts), "1:1,1 3:2,2 ");
+}
+
 TEST(Solids, HaveTheCallersNumbers) {
   // Clockwise, with a repeated vertex, a collinear one and a closing one.
   const Solid solid = make_solid({{{0, 0}, {0, 2}, {0, 2}, {1, 2}, {2, 2}, {2, 0}, {0, 0}}});

@@ -9,42 +9,26 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <iostream>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "case_options.hpp"
 #include "contact_agreement.hpp"
 #include "contact_scenes.hpp"
+#include "scene_texts.hpp"
 
 namespace gcv::test {
 namespace {
 
-int cases = 30;
-std::uint64_t seed = 1;
-
-std::string text_of(const std::vector<invariants::Polygon>& rings) {
-  std::string text = "POLYGON (";
-  for (const invariants::Polygon& ring : rings) {
-    text += &ring == &rings.front() ? "(" : ", (";
-    for (const Point& p : ring) {
-      char vertex[80];
-      static_cast<void>(std::snprintf(vertex, sizeof vertex, "%s%.17g %.17g",
-                                      &p == &ring.front() ? "" : ", ", p[0], p[1]));
-      text += vertex;
-    }
-    text += ")";
-  }
-  return text + ")";
-}
+CaseOptions chosen{30};
 
 // Calls check(scene, pair) for the scenes of the family whose polygons are valid.
 template <class Check>
 void for_each_scene(const RegionFamily& family, int count, int translations, Check check) {
-  Random random(seed);
+  Random random(chosen.seed);
   for (int k = 0; k < count;) {
     const ContactScene scene = contact_scene(family, random, translations);
     std::unique_ptr<ContactPair> pair;
@@ -54,8 +38,8 @@ void for_each_scene(const RegionFamily& family, int count, int translations, Che
       continue;
     }
     for (const std::string& message : check(scene, *pair)) {
-      ADD_FAILURE() << "case " << k << ": " << message << "\na: " << text_of(scene.a)
-                    << "\nb: " << text_of(scene.b);
+      ADD_FAILURE() << "case " << k << ": " << message << "\na: " << text_of_rings(scene.a)
+                    << "\nb: " << text_of_rings(scene.b);
     }
     ++k;
   }
@@ -65,33 +49,34 @@ class TwoPolygons : public ::testing::TestWithParam<RegionFamily> {};
 
 TEST_P(TwoPolygons, HaveTheRelationOfTheDefinition) {
   ContactCounts counts;
-  for_each_scene(GetParam(), 4 * cases, 16, [&](const ContactScene& scene, const auto& pair) {
-    return check_relations(pair, scene.translations, counts);
-  });
+  for_each_scene(GetParam(), 4 * chosen.cases, 16,
+                 [&](const ContactScene& scene, const auto& pair) {
+                   return check_relations(pair, scene.translations, counts);
+                 });
   std::printf("seed %llu: %zu apart, %zu touching, %zu overlapping\n",
-              static_cast<unsigned long long>(seed), counts.apart, counts.touching,
+              static_cast<unsigned long long>(chosen.seed), counts.apart, counts.touching,
               counts.overlapping);
 }
 
 TEST_P(TwoPolygons, HaveTheDistanceOfTheDefinition) {
   ContactCounts counts;
-  for_each_scene(GetParam(), 4 * cases, 8, [&](const ContactScene& scene, const auto& pair) {
+  for_each_scene(GetParam(), 4 * chosen.cases, 8, [&](const ContactScene& scene, const auto& pair) {
     return check_distances(pair, scene.translations, counts);
   });
-  std::printf("seed %llu: %zu out of range\n", static_cast<unsigned long long>(seed),
+  std::printf("seed %llu: %zu out of range\n", static_cast<unsigned long long>(chosen.seed),
               counts.out_of_range);
 }
 
 TEST_P(TwoPolygons, MoveUntilTheyOverlap) {
   ContactCounts counts;
-  for_each_scene(GetParam(), cases, 6, [&](const ContactScene& scene, const auto& pair) {
+  for_each_scene(GetParam(), chosen.cases, 6, [&](const ContactScene& scene, const auto& pair) {
     return check_casts(pair, scene.translations, scene.motions, counts);
   });
   std::printf(
       "seed %llu: %zu hits, %zu misses, %zu overlap at the start, %zu without a free "
       "position, %zu out of range\n",
-      static_cast<unsigned long long>(seed), counts.hits, counts.misses, counts.starts_inside,
-      counts.not_free, counts.out_of_range);
+      static_cast<unsigned long long>(chosen.seed), counts.hits, counts.misses,
+      counts.starts_inside, counts.not_free, counts.out_of_range);
 }
 
 // Distances: 0, that of the polygons, and the length of a motion. Slopes from none to a steep one.
@@ -99,7 +84,7 @@ TEST_P(TwoPolygons, HaveTheContactsOfTheDefinition) {
   const std::vector<double> slopes{0, 0, 0x1p-52, 0.125, 3};
   ContactCounts counts;
   std::size_t number = 0;
-  for_each_scene(GetParam(), 2 * cases, 6, [&](const ContactScene& scene, const auto& pair) {
+  for_each_scene(GetParam(), 2 * chosen.cases, 6, [&](const ContactScene& scene, const auto& pair) {
     Messages messages;
     for (std::size_t k = 0; k < scene.translations.size(); ++k) {
       const Point& t = scene.translations[k];
@@ -120,19 +105,20 @@ TEST_P(TwoPolygons, HaveTheContactsOfTheDefinition) {
     return messages;
   });
   std::printf("seed %llu: %zu contacts in %zu lists, %zu out of range\n",
-              static_cast<unsigned long long>(seed), counts.listed, number, counts.out_of_range);
+              static_cast<unsigned long long>(chosen.seed), counts.listed, number,
+              counts.out_of_range);
 }
 
 // The reference takes seconds for a case of many vertices.
 TEST_P(TwoPolygons, LeaveOverlapsTheShortestWay) {
   const bool is_large = std::string(GetParam().name) == "spiky stars";
   ContactCounts counts;
-  for_each_scene(GetParam(), is_large ? (cases + 14) / 15 : cases, 6,
+  for_each_scene(GetParam(), is_large ? (chosen.cases + 14) / 15 : chosen.cases, 6,
                  [&](const ContactScene& scene, const auto& pair) {
                    return check_escapes(pair, scene.translations, counts);
                  });
   std::printf("seed %llu: %zu overlap, %zu without a free position, %zu out of range\n",
-              static_cast<unsigned long long>(seed), counts.overlapping, counts.not_free,
+              static_cast<unsigned long long>(chosen.seed), counts.overlapping, counts.not_free,
               counts.out_of_range);
 }
 
@@ -203,31 +189,7 @@ INSTANTIATE_TEST_SUITE_P(Families, TwoPolygons,
                            return name;
                          });
 
-// Takes the options of this program. False for any other.
-bool take_options(int argc, char** argv) {
-  for (int k = 1; k < argc; ++k) {
-    const std::string option = argv[k];
-    const std::size_t length = option.find('=') + 1;
-    const std::string value = option.substr(length);
-    if (option.starts_with("--cases=")) {
-      cases = std::atoi(value.c_str());
-    } else if (option.starts_with("--seed=")) {
-      seed = std::strtoull(value.c_str(), nullptr, 10);
-    } else {
-      return false;
-    }
-  }
-  return true;
-}
-
 }  // namespace
 }  // namespace gcv::test
 
-int main(int argc, char** argv) {
-  ::testing::InitGoogleTest(&argc, argv);
-  if (!gcv::test::take_options(argc, argv)) {
-    std::cerr << "usage: " << argv[0] << " [--cases=N] [--seed=N]\n";
-    return 2;
-  }
-  return RUN_ALL_TESTS();
-}
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::test::chosen, argc, argv); }

@@ -4,195 +4,24 @@
 // all after it. The call says so, writes nothing, gives back what it took, and does the same
 // as ever once there is memory again. What GMP takes never fails, but must be given back too. No
 // threads are given, so that all allocations come in the same order.
-#include <gmp.h>
-
-#include <algorithm>
-#include <functional>
-#include <limits>
-#include <new>
 #include <utility>
 
-#include "pairs.hpp"
+#include "attempts.hpp"
 #include "questions.hpp"
 #include "refused_threads.hpp"
 
-// ------------------------------------------------------------- the program's operator new --
-
 namespace {
 
-constexpr long never = std::numeric_limits<long>::max();
-
-long live = 0;             // blocks that were taken and not given back
-long until_fault = never;  // allocations that go well
-long faults_left = 0;      // allocations that fail after these
-bool failed = false;
-bool failed_loudly = false;  // in an allocation that throws
-
-void* allocate(std::size_t size, std::size_t alignment) noexcept {
-  if (until_fault > 0) {
-    --until_fault;
-  } else if (faults_left > 0) {
-    --faults_left;
-    failed = true;
-    return nullptr;
-  }
-  // aligned_alloc takes multiples of the alignment.
-  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) & ~(alignment - 1);
-  void* const block = rounded < size ? nullptr : std::aligned_alloc(alignment, rounded);
-  live += block != nullptr ? 1 : 0;
-  return block;
-}
-
-void* allocate_or_throw(std::size_t size, std::size_t alignment) {
-  void* const block = allocate(size, alignment);
-  if (block == nullptr) {
-    failed_loudly = true;
-    throw std::bad_alloc();
-  }
-  return block;
-}
-
-void release(void* block) noexcept {
-  live -= block != nullptr ? 1 : 0;
-  std::free(block);
-}
-
-constexpr std::size_t plain = __STDCPP_DEFAULT_NEW_ALIGNMENT__;
-using Alignment = std::align_val_t;
-using Quiet = std::nothrow_t;
-
-std::size_t bytes(Alignment alignment) { return static_cast<std::size_t>(alignment); }
-
-}  // namespace
-
-void* operator new(std::size_t n) { return allocate_or_throw(n, plain); }
-void* operator new[](std::size_t n) { return allocate_or_throw(n, plain); }
-void* operator new(std::size_t n, Alignment a) { return allocate_or_throw(n, bytes(a)); }
-void* operator new[](std::size_t n, Alignment a) { return allocate_or_throw(n, bytes(a)); }
-void* operator new(std::size_t n, const Quiet&) noexcept { return allocate(n, plain); }
-void* operator new[](std::size_t n, const Quiet&) noexcept { return allocate(n, plain); }
-void* operator new(std::size_t n, Alignment a, const Quiet&) noexcept {
-  return allocate(n, bytes(a));
-}
-void* operator new[](std::size_t n, Alignment a, const Quiet&) noexcept {
-  return allocate(n, bytes(a));
-}
-void operator delete(void* block) noexcept { release(block); }
-void operator delete[](void* block) noexcept { release(block); }
-void operator delete(void* block, std::size_t) noexcept { release(block); }
-void operator delete[](void* block, std::size_t) noexcept { release(block); }
-void operator delete(void* block, Alignment) noexcept { release(block); }
-void operator delete[](void* block, Alignment) noexcept { release(block); }
-void operator delete(void* block, std::size_t, Alignment) noexcept { release(block); }
-void operator delete[](void* block, std::size_t, Alignment) noexcept { release(block); }
-void operator delete(void* block, const Quiet&) noexcept { release(block); }
-void operator delete[](void* block, const Quiet&) noexcept { release(block); }
-void operator delete(void* block, Alignment, const Quiet&) noexcept { release(block); }
-void operator delete[](void* block, Alignment, const Quiet&) noexcept { release(block); }
-
-namespace {
-
-void count_memory_of_gmp() {
-  mp_set_memory_functions(
-      [](std::size_t size) {
-        ++live;
-        return std::malloc(size);
-      },
-      [](void* block, std::size_t, std::size_t size) { return std::realloc(block, size); },
-      [](void* block, std::size_t) { release(block); });
-}
-
-// --------------------------------------------------------------------------- the attempts --
-
+using gcv::faults::Attempt;
 using gcv::faults::check;
+using gcv::faults::Faults;
+using gcv::faults::handle;
+using gcv::faults::Outcome;
 using gcv::faults::Owner;
-
-struct Faults {
-  long first = never;  // the number of the allocation that fails, from 0
-  long count = 0;
-};
-
-// Runs the call while the faults are there.
-template <class Call>
-gcv_status run(const Faults& faults, Call call) {
-  failed = failed_loudly = false;
-  until_fault = faults.first;
-  faults_left = faults.count;
-  const gcv_status status = call();
-  until_fault = never;
-  faults_left = 0;
-  return status;
-}
-
-struct Outcome {
-  gcv_status status;
-  bool untouched;  // the output
-  std::string transcript;
-};
-
-using Attempt = std::function<Outcome(const Faults&)>;
-
-// call(&out) gives a handle.
-template <class Handle, class Call>
-Attempt handle(Call call) {
-  return [call](const Faults& faults) {
-    static char nothing;
-    Handle* out = reinterpret_cast<Handle*>(&nothing);
-    const gcv_status status = run(faults, [&] { return call(&out); });
-    const Owner<Handle> owner(status == GCV_OK ? out : nullptr);
-    return Outcome{status, out == reinterpret_cast<Handle*>(&nothing),
-                   owner ? gcv::faults::transcript(out) : ""};
-  };
-}
-
-// call(text, capacity, &required) gives text.
-template <class Call>
-Attempt text(Call call) {
-  return [call](const Faults& faults) {
-    constexpr std::size_t capacity = 4096;
-    const std::string untouched(capacity, '?');
-    std::string out = untouched;
-    std::size_t required = 0;
-    const gcv_status status = run(faults, [&] { return call(out.data(), capacity, &required); });
-    return Outcome{status, out == untouched, out};
-  };
-}
-
-enum class Threads { one, many };
-
-// Gives the number of allocations that the attempt takes.
-long starve(const std::string& name, const Attempt& attempt, long faults_at_once,
-            const Outcome& expected, Threads threads) {
-  for (long n = 0;; ++n) {
-    const std::string where = name + ", allocation " + std::to_string(n);
-    const long live_before = live;
-    {
-      const Outcome outcome = attempt({n, faults_at_once});
-      const bool well = outcome.status == GCV_OK;
-      if (!failed) {
-        check(well && outcome.transcript == expected.transcript, where, " is one too many");
-        return n;
-      }
-      // Who asks politely may go on without, and who asks for a thread.
-      check(well ? !failed_loudly || threads == Threads::many : outcome.status == GCV_ERR_NO_MEMORY,
-            where + " gave ", gcv_status_name(outcome.status));
-      check(well ? outcome.transcript == expected.transcript : outcome.untouched, where,
-            " gave a wrong result");
-    }
-    check(live == live_before, where, " leaks");
-    check(attempt({}).transcript == expected.transcript, where, " changes later results");
-    check(live == live_before, where, " leaks later");
-  }
-}
-
-void starve(const std::string& name, const Attempt& attempt, Threads threads = Threads::one) {
-  const Outcome expected = attempt({});
-  check(expected.status == GCV_OK && !expected.untouched, name, " does nothing");
-  const long allocations = starve(name, attempt, 1, expected, threads);
-  starve(name + ", and all later ones", attempt, never, expected, threads);
-  check(allocations > 0, name, " takes no memory");
-  std::printf("%s: %ld allocations\n", name.c_str(), allocations);
-}
+using gcv::faults::run;
+using gcv::faults::starve;
+using gcv::faults::text;
+using gcv::faults::Threads;
 
 Attempt simplified(const gcv_polygon* polygon, double tolerance, std::int32_t rounding) {
   return handle<gcv_polygon>([=](gcv_polygon** out) {
@@ -413,7 +242,7 @@ void starve_polygons() {
 }  // namespace
 
 int main() {
-  count_memory_of_gmp();
+  gcv::faults::count_memory_of_gmp();
   starve_polygons();
   bool repaired = false;
   bool rational = false;

@@ -23,6 +23,8 @@ struct Destroy {
   void operator()(gcv_superset* superset) const { gcv_superset_destroy(superset); }
   void operator()(gcv_region* region) const { gcv_region_destroy(region); }
   void operator()(gcv_contact_list* list) const { gcv_contact_list_destroy(list); }
+  void operator()(gcv_pair_list* list) const { gcv_pair_list_destroy(list); }
+  void operator()(gcv_scene* scene) const { gcv_scene_destroy(scene); }
 };
 
 template <class Handle>
@@ -248,6 +250,14 @@ inline std::string transcript(const gcv_contact_list* list) {
       bytes, [&](std::uint64_t* out, std::size_t capacity, std::size_t* required) {
         return gcv_contact_list_previous(list, out, capacity, required);
       });
+  return bytes;
+}
+
+inline std::string transcript(const gcv_pair_list* list) {
+  std::string bytes;
+  append_elements<gcv_pair>(bytes, [&](gcv_pair* out, std::size_t capacity, std::size_t* required) {
+    return gcv_pair_list_pairs(list, out, capacity, required);
+  });
   return bytes;
 }
 

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Eight threads share const polygons and outer faces, and all get the same bytes from them.
+// Eight threads share const polygons, outer faces and a scene, and all get the same bytes from
+// them.
 #include <latch>
 #include <thread>
 
 #include "pairs.hpp"
 #include "questions.hpp"
+#include "scenes.hpp"
 
 namespace {
 
@@ -50,6 +52,7 @@ Faces faces_of(const Pair& pair) {
 struct Shared {
   std::vector<Pair> pairs = gcv::faults::pairs();
   std::vector<Faces> faces;
+  gcv::faults::NewScene scene;
 
   Shared() {
     for (const Pair& pair : gcv::faults::pairs()) {
@@ -58,7 +61,7 @@ struct Shared {
   }
 };
 
-// All that there is to know of pair k, from shared handles and from new ones.
+// All that there is to know of pair k and of the scene, from shared handles and from new ones.
 std::string work(const Shared& shared, std::size_t k) {
   const Pair& pair = shared.pairs[k];
   std::string bytes = transcript(pair.a.get()) + transcript(pair.b.get());
@@ -83,7 +86,7 @@ std::string work(const Shared& shared, std::size_t k) {
                           return gcv::faults::contacts_at(pair, places, place, out);
                         }).get());
   }
-  return bytes;
+  return bytes + transcript(shared.scene);
 }
 
 // A message that no other thread gets.

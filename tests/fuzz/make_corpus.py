@@ -308,56 +308,88 @@ def regions() -> dict[str, bytes]:
     return inputs
 
 
+# Bytes as question_polygons.hpp reads them.
+ANYWHERE, ON_GRID, TEETH = 0, 1, 3
+POINTS, RECTANGLE, COLUMNS, BLOCK = range(4)
+ONE_HOLE, TWO_HOLES, SHEARED = 4, 8, 64
+
+
+def placed(body: bytes, how: int = ON_GRID, placement: bytes = b"") -> bytes:
+    return bytes([how]) + placement + body
+
+
+def ring(*xy: int) -> bytes:
+    return bytes([POINTS, len(xy) // 2 - 3, *xy])
+
+
+def with_hole(outer: bytes, hole: bytes) -> bytes:
+    return bytes([outer[0] | ONE_HOLE]) + outer[1:] + hole
+
+
+def vertex(number: int, eighths: int = 0, of_ring: int = 0) -> bytes:
+    return bytes([of_ring, number, eighths])
+
+
+def grid_vector(x: float, y: float) -> bytes:
+    return struct.pack("<B2b", 0, int(4 * x), int(4 * y))
+
+
+def contact(of_a: bytes, of_b: bytes) -> bytes:
+    return b"\1" + of_a + of_b
+
+
+def near(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
+    return b"\2" + of_a + of_b + struct.pack("2b", x, y)
+
+
+def beside(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
+    return b"\3" + of_a + of_b + struct.pack("2b", 16 * x, 16 * y)
+
+
+def along(start: bytes, end: bytes) -> bytes:
+    return b"\4" + start + end
+
+
+def vector(x: float, y: float) -> bytes:
+    return b"\5" + doubles(x, y)
+
+
+ZERO = grid_vector(0, 0)
+SQUARE = bytes([RECTANGLE, 0, 0, 1, 1])
+NOTCH = bytes([COLUMNS, 2, 7, 1, 1, 1, 7, 1])
+FRAME = bytes([BLOCK | ONE_HOLE, RECTANGLE, 1, 1, 4, 4])
+TOUCHING = bytes([BLOCK | TWO_HOLES, RECTANGLE, 1, 1, 2, 2, RECTANGLE, 4, 4, 2, 2])
+TRIANGLE = ring(0, 0, 5, 0, 0, 5)
+ROOM = bytes([BLOCK])
+
+
+def any_shape(dice: random.Random) -> bytes:
+    shape = dice.choice((RECTANGLE, COLUMNS, BLOCK, POINTS))
+    if shape == POINTS:
+        x, y = dice.choices(range(1, 9), k=2)
+        return ring(
+            *dice.choice(((x, 0, 9, y, x, 9, 0, y), (0, 0, 9, y, x, 4), (0, y, 9, 0, x, 9)))
+        )
+    if shape == BLOCK and dice.random() < 0.8:
+        x, y, width, height = dice.choices(range(1, 5), k=4)
+        hole = ring(x, y, x + width, 0, x + width, y + height)
+        return bytes([BLOCK | ONE_HOLE]) + dice.choice(
+            (hole, bytes([RECTANGLE, x, y, width, height]))
+        )
+    return bytes([shape]) + dice.randbytes(12)[: 4 if shape == RECTANGLE else 12]
+
+
 def questions() -> dict[str, bytes]:
     """Bytes as fuzz_questions.cpp reads them: two polygons, then translations and motions."""
-    anywhere, on_grid, teeth = 0, 1, 3
-    points, rectangle, columns, block = range(4)
-    one_hole, two_holes, sheared = 4, 8, 64
-
-    def placed(body: bytes, how: int = on_grid, placement: bytes = b"") -> bytes:
-        return bytes([how]) + placement + body
-
-    def ring(*xy: int) -> bytes:
-        return bytes([points, len(xy) // 2 - 3, *xy])
-
-    def with_hole(outer: bytes, hole: bytes) -> bytes:
-        return bytes([outer[0] | one_hole]) + outer[1:] + hole
-
-    def vertex(number: int, eighths: int = 0, of_ring: int = 0) -> bytes:
-        return bytes([of_ring, number, eighths])
-
-    def grid_vector(x: float, y: float) -> bytes:
-        return struct.pack("<B2b", 0, int(4 * x), int(4 * y))
-
-    def contact(of_a: bytes, of_b: bytes) -> bytes:
-        return b"\1" + of_a + of_b
-
-    def near(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
-        return b"\2" + of_a + of_b + struct.pack("2b", x, y)
-
-    def beside(of_a: bytes, of_b: bytes, x: int, y: int) -> bytes:
-        return b"\3" + of_a + of_b + struct.pack("2b", 16 * x, 16 * y)
-
-    def along(start: bytes, end: bytes) -> bytes:
-        return b"\4" + start + end
-
-    def vector(x: float, y: float) -> bytes:
-        return b"\5" + doubles(x, y)
 
     def moves(*vectors: bytes) -> bytes:
         """Translations and motions in turn, an even number of at most eight."""
         return bytes([len(vectors) // 2 - 1]) + b"".join(vectors)
 
-    zero = grid_vector(0, 0)
-    square = bytes([rectangle, 0, 0, 1, 1])
-    slot = bytes([columns, 2, 7, 1, 1, 1, 7, 1])
-    frame = bytes([block | one_hole, rectangle, 1, 1, 4, 4])
-    touching = bytes([block | two_holes, rectangle, 1, 1, 2, 2, rectangle, 4, 4, 2, 2])
-    triangle = ring(0, 0, 5, 0, 0, 5)
     far = vector(1.7e308, -1.7e308)
     corner = vertex(0)
     around = moves(
-        *(step for x, y in ((8, 0), (8, 3), (-3, 8), (1, 1)) for step in (zero, grid_vector(x, y)))
+        *(step for x, y in ((8, 0), (8, 3), (-3, 8), (1, 1)) for step in (ZERO, grid_vector(x, y)))
     )
     many = moves(
         grid_vector(-5, 1), grid_vector(9, 0), grid_vector(12, 12), grid_vector(-12, -11),
@@ -366,17 +398,17 @@ def questions() -> dict[str, bytes]:
     )  # fmt: skip
     inputs = {
         "empty": b"",
-        "refused": placed(ring(0, 0, 1, 1, 1, 0, 0, 1)) + placed(square) + moves(zero, zero),
-        "not_finite": placed(square) * 2
-        + moves(vector(float("nan"), 0), zero, zero, vector(0, float("inf")), zero, zero),
-        "overflow": placed(square) * 2 + moves(far, far, zero, far, far, vector(-1.7e308, 1.7e308)),
-        "in_hole": placed(frame) + placed(square)
+        "refused": placed(ring(0, 0, 1, 1, 1, 0, 0, 1)) + placed(SQUARE) + moves(ZERO, ZERO),
+        "not_finite": placed(SQUARE) * 2
+        + moves(vector(float("nan"), 0), ZERO, ZERO, vector(0, float("inf")), ZERO, ZERO),
+        "overflow": placed(SQUARE) * 2 + moves(far, far, ZERO, far, far, vector(-1.7e308, 1.7e308)),
+        "in_hole": placed(FRAME) + placed(SQUARE)
         + moves(
-            grid_vector(2, 2), grid_vector(1, 0.5), grid_vector(3, 3), zero,
+            grid_vector(2, 2), grid_vector(1, 0.5), grid_vector(3, 3), ZERO,
             contact(vertex(0, of_ring=1), corner), grid_vector(5, 0),
             grid_vector(2, 2), grid_vector(20, 11),
         ),
-        "exact_fit": placed(frame) + placed(bytes([rectangle, 0, 0, 4, 4]))
+        "exact_fit": placed(FRAME) + placed(bytes([RECTANGLE, 0, 0, 4, 4]))
         + moves(grid_vector(1, 1), grid_vector(1, 1), grid_vector(-8, 1), grid_vector(9, 0)),
         "inscribed": placed(ring(4, 0, 8, 4, 4, 8, 0, 4)) + placed(ring(0, 0, 8, 0, 8, 8, 0, 8))
         + around,
@@ -397,12 +429,12 @@ def questions() -> dict[str, bytes]:
                 for step in (grid_vector(2, -2), grid_vector(x, y))
             )
         ),
-        "exact_slot": placed(slot) + placed(bytes([rectangle, 0, 0, 1, 1]))
+        "exact_slot": placed(NOTCH) + placed(bytes([RECTANGLE, 0, 0, 1, 1]))
         + moves(grid_vector(2, 9), grid_vector(0, -9), grid_vector(2, 2), grid_vector(0, 9)),
-        "all_magnitudes": placed(doubles(-1e100, 1e-300, 3, -1e-310, 5e15, 1e30), anywhere, b"\0")
-        + placed(doubles(0, 0, 1e-200, 1e-200, 0.1, 1e5), anywhere, b"\0")
+        "all_magnitudes": placed(doubles(-1e100, 1e-300, 3, -1e-310, 5e15, 1e30), ANYWHERE, b"\0")
+        + placed(doubles(0, 0, 1e-200, 1e-200, 0.1, 1e5), ANYWHERE, b"\0")
         + moves(contact(corner, corner), vector(1e-300, 1), vector(1e300, 1), vector(-1e300, 0)),
-        "teeth": placed(bytes([39, 8, 2, 5, 1]), teeth) + placed(bytes([29, 3, 9, 1, 4]), teeth)
+        "teeth": placed(bytes([39, 8, 2, 5, 1]), TEETH) + placed(bytes([29, 3, 9, 1, 4]), TEETH)
         + moves(
             grid_vector(2, 20), grid_vector(1, -20), contact(vertex(9, 3), vertex(7)),
             grid_vector(-7, 3), near(vertex(50), vertex(40), 3, -2), along(vertex(2), vertex(9)),
@@ -410,12 +442,12 @@ def questions() -> dict[str, bytes]:
         ),
     }  # fmt: skip
     for name, a, b in (
-        ("squares", square, square), ("slot", slot, square), ("frames", frame, frame),
-        ("rings_that_touch", touching, touching), ("triangles", triangle, triangle),
-        ("part_beside_holes", touching, square), ("sheared", slot, square),
+        ("squares", SQUARE, SQUARE), ("slot", NOTCH, SQUARE), ("frames", FRAME, FRAME),
+        ("rings_that_touch", TOUCHING, TOUCHING), ("triangles", TRIANGLE, TRIANGLE),
+        ("part_beside_holes", TOUCHING, SQUARE), ("sheared", NOTCH, SQUARE),
     ):  # fmt: skip
         if name == "sheared":
-            a, b = bytes([a[0] | sheared]) + a[1:] + b"\2", bytes([b[0] | sheared]) + b[1:] + b"\2"
+            a, b = bytes([a[0] | SHEARED]) + a[1:] + b"\2", bytes([b[0] | SHEARED]) + b[1:] + b"\2"
         inputs[name] = placed(a) + placed(b) + many
         for place, how, placement in (
             ("turned", ROTATED, b"\3"), ("subnormal", SCALED, struct.pack("<h", -1074)),
@@ -423,24 +455,9 @@ def questions() -> dict[str, bytes]:
             ("tiny_and_far", SCALED | SHIFTED, struct.pack("<h", -1000) + bytes([53, 1, 1])),
         ):  # fmt: skip
             inputs[f"{name}_{place}"] = (
-                placed(a, on_grid | how, placement) + placed(b, on_grid | SAME_PLACEMENT) + many
+                placed(a, ON_GRID | how, placement) + placed(b, ON_GRID | SAME_PLACEMENT) + many
             )
     dice = random.Random(3)
-
-    def any_shape() -> bytes:
-        shape = dice.choice((rectangle, columns, block, points))
-        if shape == points:
-            x, y = dice.choices(range(1, 9), k=2)
-            return ring(
-                *dice.choice(((x, 0, 9, y, x, 9, 0, y), (0, 0, 9, y, x, 4), (0, y, 9, 0, x, 9)))
-            )
-        if shape == block and dice.random() < 0.8:
-            x, y, width, height = dice.choices(range(1, 5), k=4)
-            hole = ring(x, y, x + width, 0, x + width, y + height)
-            return bytes([block | one_hole]) + dice.choice(
-                (hole, bytes([rectangle, x, y, width, height]))
-            )
-        return bytes([shape]) + dice.randbytes(12)[: 4 if shape == rectangle else 12]
 
     def any_point() -> bytes:
         return vertex(dice.randrange(12), dice.choice((0, 0, 4, 3)), dice.randrange(2))
@@ -457,10 +474,117 @@ def questions() -> dict[str, bytes]:
 
     for k in range(120):
         a, b = (
-            placed(body, on_grid | how, b"" if how == 0 else dice.randbytes(1))
-            for body, how in ((any_shape(), dice.choice((0, 0, ROTATED))) for _ in "ab")
+            placed(body, ON_GRID | how, b"" if how == 0 else dice.randbytes(1))
+            for body, how in ((any_shape(dice), dice.choice((0, 0, ROTATED))) for _ in "ab")
         )
         inputs[f"random_{k}"] = a + b + moves(*(any_vector() for _ in range(8)))
+    return inputs
+
+
+def scenes() -> dict[str, bytes]:
+    """Bytes as fuzz_scenes.cpp reads them: polygons, then calls. Each call names the scene."""
+    (
+        add, _also_add, move, reshape, change_both, set_layers, remove, container, copy, drop,
+        bad_id, ask,
+    ) = range(12)  # fmt: skip
+    far_out, in_contact, anywhere = 2, 3, 5
+
+    def shapes(*bodies: bytes) -> bytes:
+        return bytes([len(bodies) - 1]) + b"".join(bodies)
+
+    def at(x: float, y: float) -> bytes:
+        return grid_vector(x, y)
+
+    def far_at(x: float, y: float) -> bytes:
+        return struct.pack("<BbBbB", far_out, int(4 * x), 1, int(4 * y), 0)
+
+    def touching_member(member: int, of_member: bytes, of_shape: bytes) -> bytes:
+        return bytes([in_contact, member]) + contact(of_member, of_shape)
+
+    def added(*members: tuple[int, bytes], scene: int = 0) -> bytes:
+        """One to three, each a shape and a position."""
+        return bytes([scene, add, len(members) - 1]) + b"".join(
+            bytes([shape]) + position for shape, position in members
+        )
+
+    def asked(
+        shape: int, position: bytes, motion: bytes, query: bytes = b"\1", slope: int = 0,
+        within_motion: bool = False, scene: int = 0, earlier: int = 0,
+    ) -> bytes:  # fmt: skip
+        return (
+            bytes([scene, ask, shape]) + position + motion + query
+            + bytes([slope, within_motion, earlier])
+        )  # fmt: skip
+
+    def members(chosen: str) -> bytes:
+        """A member is chosen where there is an x, and comes first."""
+        return b"".join(b"\0\0" if choice == "x" else b"\1" for choice in chosen)
+
+    blocks = shapes(placed(SQUARE), placed(FRAME), placed(NOTCH), placed(ROOM))
+    row = added((0, at(0, 0)), (0, at(2, 0)), (1, at(5, 5))) + added((2, at(-9, 0)), (0, at(3, 2)))
+    all_around = b"".join(
+        asked(0, at(x, y), at(10, 3), slope=2, within_motion=bool(x % 2))
+        for x, y in ((0, 0), (2, 2), (-5, 1), (7, 7), (1, -9), (4, 0), (20, 20))
+    )
+    twice = asked(1, at(0, 3), at(4, -4), within_motion=True) * 2
+    layers = b"\0" + bytes([1, 2, 3])  # the first layer, without member 3, twice
+    inputs = {
+        "empty": b"",
+        "nothing_there": blocks + all_around,
+        "row": blocks + row + all_around + twice,
+        "in_container": blocks + row + bytes([0, container, 3]) + all_around + twice
+        + bytes([0, container, 1]) + all_around + bytes([0, container, 4]) + twice,
+        "in_hole": blocks + added((1, at(0, 0))) + asked(0, at(2, 2), at(3, 0))
+        + asked(0, at(1, 1), at(1, 0)) + asked(0, at(3, 3), at(9, 9)),
+        "contacts": blocks + added((0, at(0, 0)))
+        + added(
+            (0, touching_member(0, vertex(2), vertex(0))),
+            (2, touching_member(0, vertex(1), vertex(0, 3))),
+        )
+        + asked(0, touching_member(1, vertex(2, 4), vertex(0)), at(-5, -5)) + twice,
+        "far_out": blocks + added((0, far_at(0, 0)), (0, far_at(4, 0)), (1, far_at(8, 8)))
+        + asked(0, far_at(0, 4), at(20, 0), slope=1) + asked(0, far_at(12, 0), at(-20, 1)),
+        "changes": blocks + row + twice + bytes([0, move]) + members("xnnnn") + at(1, 0) + twice
+        + bytes([0, reshape]) + members("nxnxn") + b"\2\1" + twice
+        + bytes([0, change_both]) + members("nnxnn") + b"\0" + at(2, 2) + twice
+        + bytes([0, remove]) + members("xxnnn") + twice + added((0, at(0, 0))) + twice,
+        "layers": blocks + row + bytes([0, set_layers]) + members("xnxnx") + b"\1\2\0"
+        + asked(0, at(1, 1), at(5, 0), layers) + asked(0, at(1, 1), at(5, 0)),
+        "bad_ids": blocks + row
+        + b"".join(
+            bytes([0, bad_id]) + members("nxnxn") + bytes([bad, twice_or_not])
+            for bad in range(4)
+            for twice_or_not in range(2)
+        )
+        + twice,
+        "copies": blocks + row + twice + bytes([0, copy]) + added((0, at(1, 2))) + twice
+        + added((1, at(-4, -4)), scene=1) + asked(1, at(0, 3), at(4, -4), scene=1)
+        + asked(1, at(0, 3), at(4, -4), scene=1, within_motion=True) + bytes([1, copy, 2, drop, 0])
+        + asked(1, at(0, 3), at(4, -4), scene=1, within_motion=True, earlier=1),
+        "not_finite": blocks + row
+        + added((0, bytes([anywhere]) + doubles(float("nan"), 0)))
+        + bytes([0, move]) + members("nnxnn") + bytes([anywhere]) + doubles(0, float("inf"))
+        + twice + added((0, at(0, 0))) + twice,
+        "refused_shape": shapes(placed(ring(0, 0, 1, 1, 1, 0, 0, 1)), placed(SQUARE)) + row + twice,
+        "overflow": shapes(placed(SQUARE))
+        + added((0, bytes([anywhere]) + doubles(1.7e308, -1.7e308)), (0, at(0, 0)))
+        + asked(0, bytes([anywhere]) + doubles(-1.7e308, 1.7e308), at(1, 1))
+        + asked(0, at(5, 0), bytes([anywhere]) + doubles(1.7e308, -1.7e308), within_motion=True),
+    }  # fmt: skip
+    for place, how, placement in (
+        ("turned", ROTATED, b"\3"), ("subnormal", SCALED, struct.pack("<h", -1074)),
+        ("huge", SCALED, struct.pack("<h", 1010)), ("far_away", SHIFTED, bytes([50, 3, 251])),
+    ):  # fmt: skip
+        turned = shapes(
+            placed(SQUARE, ON_GRID | how, placement),
+            *(placed(s, ON_GRID | SAME_PLACEMENT) for s in (FRAME, NOTCH, ROOM)),
+        )
+        inputs[f"row_{place}"] = turned + row + all_around + twice
+        inputs[f"in_container_{place}"] = turned + row + bytes([0, container, 3]) + all_around
+    dice = random.Random(4)
+    for k in range(40):
+        bodies = (placed(any_shape(dice), ON_GRID) for _ in range(4))
+        inputs[f"random_{k}"] = shapes(*bodies) + row + dice.randbytes(200)
     return inputs
 
 
@@ -468,6 +592,7 @@ for target, inputs in (
     ("polygons", polygons()),
     ("calls", calls()),
     ("questions", questions()),
+    ("scenes", scenes()),
     ("regions", regions()),
 ):
     (CORPUS / target).mkdir(parents=True, exist_ok=True)

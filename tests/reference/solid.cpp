@@ -92,8 +92,8 @@ std::optional<Rational> first_hit(const std::vector<Edge>& edges, const Exact& x
   return first;
 }
 
-// A point strictly inside, beside the edge: half of the way from the edge to what is opposite. The
-// way starts between two places where other rings touch the edge.
+// A point strictly inside, beside the edge: half of the way from the edge to what is opposite, if
+// there is anything. The way starts between two places where other rings touch the edge.
 Exact point_beside(const Edge& edge, const std::vector<Edge>& edges) {
   std::vector<Exact> places{edge.from, edge.to};
   for (const Edge& e : edges) {
@@ -105,7 +105,8 @@ Exact point_beside(const Edge& edge, const std::vector<Edge>& edges) {
   const Exact start = Rational(1, 2) * (places[0] + places[1]);
   const Exact along = edge.to - edge.from;
   const Exact inwards{-along.y, along.x};
-  return start + (*first_hit(edges, start, inwards) / 2) * inwards;
+  const std::optional<Rational> opposite = first_hit(edges, start, inwards);
+  return start + (opposite ? *opposite / 2 : Rational(1)) * inwards;
 }
 
 }  // namespace
@@ -134,6 +135,27 @@ Solid make_solid(const Rings& rings) {
           {previous(chain, k).place, place, next(chain, k).place, chain[k].vertex});
     }
     solid.rings.push_back(places);
+  }
+  for (const Edge& edge : solid.edges) {
+    solid.inner_points.push_back(point_beside(edge, solid.edges));
+  }
+  return solid;
+}
+
+Solid complement(const Solid& polygon) {
+  Solid solid;
+  solid.is_complement = true;
+  std::size_t end = 0;
+  for (const invariants::Ring& ring : polygon.rings) {
+    const std::size_t first = end;
+    end += ring.size();
+    solid.rings.emplace_back(ring.rbegin(), ring.rend());
+    for (std::size_t k = end; k-- > first;) {
+      const Corner& corner = polygon.corners[k];
+      const Edge& edge = polygon.edges[k == first ? end - 1 : k - 1];  // that ends at the corner
+      solid.corners.push_back({corner.after, corner.place, corner.before, corner.number});
+      solid.edges.push_back({edge.to, edge.from, edge.number});
+    }
   }
   for (const Edge& edge : solid.edges) {
     solid.inner_points.push_back(point_beside(edge, solid.edges));
@@ -172,7 +194,7 @@ int location(const Solid& solid, const Exact& x) {
     }
     inside = inside && (side > 0) == (&ring == &solid.rings.front());
   }
-  return inside ? 1 : -1;
+  return inside != solid.is_complement ? 1 : -1;
 }
 
 }  // namespace gcv::reference

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A polygon with holes in fractions, for references: no tree, no filter, nothing kept.
+// A polygon with holes in fractions, or all that is outside of one, for references: no tree, no
+// filter, nothing kept.
 #pragma once
 
 #include <cstdint>
@@ -40,10 +41,14 @@ struct Solid {
   std::vector<Corner> corners;
   // Points strictly inside: some in each component of the interior.
   std::vector<Exact> inner_points;
+  bool is_complement = false;  // all outside of the rings, and their holes
 };
 
 // The rings must be those of a valid polygon. Numbers are as in gcv_edge_source.
 Solid make_solid(const Rings& rings);
+
+// The solid of a container: all outside of the polygon, its holes too. What has a number keeps it.
+Solid complement(const Solid& polygon);
 
 Solid moved(const Solid& solid, const Exact& t);
 

@@ -206,6 +206,83 @@ RegionCase larger_integers(Random& random) {
   return {{a}, {random_small_integer_polygon(random, uniform(random, 5, 10), 8)}, false, {0, 0}};
 }
 
+// Where positions begin. Far out, multiples of some units are exact, and most vertices are not.
+Place random_base(Random& random, double unit) {
+  if (!one_in(random, 3)) {
+    return {0, 0};
+  }
+  const double x = std::ldexp(uniform(random, -3, 3), uniform(random, 46, 56));
+  return {unit * x, one_in(random, 2) ? unit * std::ldexp(1.0, uniform(random, 46, 56)) : 0};
+}
+
+// The rectangle round all members, but for roundings: exactly, or wider or narrower; perhaps with a
+// hole.
+Polygons room_around(Random& random, const MemberScene& scene, double unit) {
+  Place low{HUGE_VAL, HUGE_VAL};
+  Place high{-HUGE_VAL, -HUGE_VAL};
+  for (const MemberScene::Member& member : scene.members) {
+    for (const Place& p : scene.shapes[member.shape].front()) {
+      const Place place = plus(p, member.position);
+      low = {std::min(low[0], place[0]), std::min(low[1], place[1])};
+      high = {std::max(high[0], place[0]), std::max(high[1], place[1])};
+    }
+  }
+  const double margin = unit * uniform(random, -1, 6);
+  low = minus(low, {margin, margin});
+  high = plus(high, {margin, margin});
+  Polygons room{{low, {high[0], low[1]}, high, {low[0], high[1]}}};
+  if (one_in(random, 3)) {
+    const Place third = times(0.25, minus(high, low));
+    const Place p = plus(low, third);
+    room.push_back({p, plus(p, {third[0], 0}), plus(p, times(2, third))});
+  }
+  return room;
+}
+
+// Mostly not that of the container.
+std::size_t random_shape(Random& random, const MemberScene& scene) {
+  const auto last = static_cast<int>(scene.shapes.size()) - 1;
+  const auto shape = static_cast<std::size_t>(uniform(random, 0, last));
+  return shape == scene.container && !one_in(random, 6) ? (shape + 1) % scene.shapes.size() : shape;
+}
+
+// One of some places that are far from each other.
+Place sparse_place(Random& random, const Place& base, double unit) {
+  const double x = 32 * uniform(random, -2, 2);
+  return plus(base, {unit * x, unit * (32 * uniform(random, -2, 2))});
+}
+
+// For a shape, in contact with the container or a member or nearly so.
+Place position_beside(Random& random, const MemberScene& scene, std::size_t shape,
+                      const Place& base, double unit) {
+  const Polygons& rings = scene.shapes[shape];
+  if (scene.container && (scene.members.empty() || one_in(random, 3))) {
+    return random_translation(random, scene.shapes[*scene.container], rings, unit);
+  }
+  if (scene.members.empty()) {
+    return plus(base, random_place(random, unit));
+  }
+  const MemberScene::Member& other = one_of(random, scene.members);
+  return plus(other.position, random_translation(random, scene.shapes[other.shape], rings, unit));
+}
+
+void add_case(Random& random, const RegionCase& c, double unit, MemberScene& scene) {
+  const Place offset = random_offset(random, unit);
+  // The sum of a and b is where a and the negated b overlap.
+  const Rings b = c.inner_fit ? c.b : negated(c.b);
+  const bool is_hole = c.inner_fit && c.a.size() == 1 && one_in(random, 2);
+  if (c.inner_fit && !is_hole && !scene.container) {
+    scene.container = scene.shapes.size();
+  }
+  scene.shapes.push_back(placed(random, is_hole ? block_around(c.a.front()) : c.a, unit, offset));
+  scene.shapes.push_back(
+      placed(random, b, unit, one_in(random, 2) ? offset : random_offset(random, unit)));
+}
+
+std::uint32_t random_layers(Random& random) {
+  return one_in(random, 2) ? UINT32_MAX : static_cast<std::uint32_t>(uniform(random, 0, 7));
+}
+
 }  // namespace
 
 std::span<const RegionFamily> contact_families() {
@@ -236,6 +313,40 @@ ContactScene contact_scene(const RegionFamily& family, Random& random, int trans
       t = finite(minus(t, times(uniform(random, 1, 8) / 4.0, motion)));
     }
     scene.translations.push_back(t);
+    scene.motions.push_back(motion);
+  }
+  return scene;
+}
+
+MemberScene member_scene(const RegionFamily& family, Random& random, int most_members,
+                         int positions) {
+  MemberScene scene;
+  const double unit = random_unit(random);
+  for (int k = uniform(random, 1, 2); k > 0; --k) {
+    add_case(random, family.next_case(random), unit, scene);
+  }
+  const Place base = scene.container ? Place{0, 0} : random_base(random, unit);
+  for (int k = uniform(random, 0, most_members); k > 0; --k) {
+    const std::size_t shape = random_shape(random, scene);
+    const Place position = finite(!scene.container && one_in(random, 2)
+                                      ? sparse_place(random, base, unit)
+                                      : position_beside(random, scene, shape, base, unit));
+    scene.members.push_back({shape, position, random_layers(random)});
+  }
+  if (!scene.container && !scene.members.empty() && one_in(random, 3)) {
+    scene.container = scene.shapes.size();
+    scene.shapes.push_back(room_around(random, scene, unit));
+  }
+  scene.moving = random_shape(random, scene);
+  for (int k = 0; k < positions; ++k) {
+    Place position = finite(position_beside(random, scene, scene.moving, base, unit));
+    const Polygons& other = scene.shapes[random_shape(random, scene)];
+    const Place motion = finite(
+        random_motion(random, other, scene.shapes[scene.moving], minus(position, base), unit));
+    if (!one_in(random, 4)) {  // it is on the way
+      position = finite(minus(position, times(uniform(random, 1, 8) / 4.0, motion)));
+    }
+    scene.positions.push_back(position);
     scene.motions.push_back(motion);
   }
   return scene;
