@@ -19,7 +19,8 @@ struct SweptBox {
   // Calls visit(lane) for the children of a node whose boxes it may meet, the first one first, as
   // long as that is not after `limit`, which may fall on the way. Ends when a visit returns true.
   template <class Visit>
-  bool any_child(const ChainTree::Block& block, const double& limit, Visit visit) const {
+  [[nodiscard]] bool any_child(const ChainTree::Block& block, const double& limit,
+                               Visit visit) const {
     SimdDouble first_x;
     SimdDouble last_x;
     SimdDouble first_y;

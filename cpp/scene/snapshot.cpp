@@ -2,11 +2,12 @@
 #include "snapshot.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace gcv {
 
-Snapshot::Snapshot(const Scene& scene, const Query& asked)
-    : family(scene.family()), query(asked), container_stamp(scene.container_stamp()) {
+Snapshot::Snapshot(const Scene& scene, Query asked)
+    : family(scene.family()), query(std::move(asked)), container_stamp(scene.container_stamp()) {
   members.reserve(scene.size());
   for (const Member& member : scene.members()) {
     if (query.admits(member)) {

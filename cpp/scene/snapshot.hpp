@@ -18,7 +18,7 @@ struct Snapshot {
   };
 
   Snapshot() = default;  // of no scene
-  Snapshot(const Scene& scene, const Query& asked);
+  Snapshot(const Scene& scene, Query asked);
 
   std::uint64_t family = 0;
   Query query;
