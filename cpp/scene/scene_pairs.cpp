@@ -2,7 +2,6 @@
 #include "scene_pairs.hpp"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "distance.hpp"
@@ -18,6 +17,25 @@ std::optional<Relation> relation_within(const Solid& a, const Boundary& b, const
                                         double distance, Tally& tally) {
   const PolygonPair pair(a.boundary, b);
   return relation_within(PlacedPair(pair, a.position, position), distance, tally);
+}
+
+// The pairs of an earlier list that are both unchanged, and others, in order.
+std::vector<ScenePair> merged(const std::vector<ScenePair>& old, const Unchanged& unchanged,
+                              std::vector<ScenePair> others) {
+  std::sort(others.begin(), others.end());
+  std::vector<ScenePair> all;
+  all.reserve(old.size() + others.size());
+  auto other = others.begin();
+  for (const ScenePair& pair : old) {
+    if (unchanged.has(pair.a) && unchanged.has(pair.b)) {
+      for (; other != others.end() && *other < pair; ++other) {
+        all.push_back(*other);
+      }
+      all.push_back(pair);
+    }
+  }
+  all.insert(all.end(), other, others.end());
+  return all;
 }
 
 }  // namespace
@@ -75,14 +93,7 @@ PairList near_pairs(const Scene& scene, const Query& query, double distance,
             }
           });
   if (is_useful) {
-    std::vector<ScenePair> fresh = std::exchange(list.pairs, {});
-    std::sort(fresh.begin(), fresh.end());
-    std::vector<ScenePair> kept;
-    std::copy_if(previous->pairs.begin(), previous->pairs.end(), std::back_inserter(kept),
-                 [&](const ScenePair& p) { return unchanged.has(p.a) && unchanged.has(p.b); });
-    list.pairs.reserve(kept.size() + fresh.size());
-    std::merge(kept.begin(), kept.end(), fresh.begin(), fresh.end(),
-               std::back_inserter(list.pairs));
+    list.pairs = merged(previous->pairs, unchanged, std::move(list.pairs));
   }
   return list;
 }
