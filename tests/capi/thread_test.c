@@ -35,7 +35,7 @@ static gcv_scene *scene_of_all(void) {
   gcv_polygon *room = POLYGON(-20, -20, 20, -20, 20.1, 20, -20, 20);
   gcv_scene *scene = new_scene();
   int k;
-  for (k = 0; k < 6; ++k) members[k] = polygons[k < 4 ? k % 2 : 4][k / 2 % 2];
+  for (k = 0; k < 6; ++k) members[k] = polygons[k < 4 ? k % 2 : 2][k / 2 % 2];
   CHECK_OK(gcv_scene_add(scene, members, positions, 6, new_ids));
   CHECK_OK(gcv_scene_set_layers(scene, ids, layers, 2));
   CHECK_OK(gcv_scene_set_container(scene, room));
