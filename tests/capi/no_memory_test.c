@@ -39,6 +39,9 @@ static gcv_polygon *polygon, *holed, *fraction, *new_polygon;
 static gcv_outer_face *face, *new_face;
 static gcv_superset *new_superset;
 static gcv_region *region, *new_region;
+static gcv_scene *scene, *new_scene;
+static gcv_pair_list *new_pairs;
+static gcv_contact_list *new_contacts;
 static char text[256];
 static size_t required;
 
@@ -190,15 +193,64 @@ static gcv_status exact_indices(void) {
 }
 static gcv_status superset(void) { return gcv_superset_create(polygon, polygon, &new_superset); }
 
+static gcv_status scene_create(void) { return gcv_scene_create(&new_scene); }
+static gcv_status scene_copy(void) { return gcv_scene_copy(scene, &new_scene); }
+static gcv_status scene_polygon(void) { return gcv_scene_polygon(scene, 2, &new_polygon); }
+/* Of a copy, which keeps what it has taken. */
+static gcv_status scene_changes(void) {
+  static const uint64_t ids[] = {3, 2};
+  static const uint32_t layers[] = {1, 6};
+  const gcv_polygon *polygons[2];
+  uint64_t new_ids[2];
+  gcv_scene *copy = NULL;
+  gcv_status status = gcv_scene_copy(scene, &copy);
+  polygons[0] = holed;
+  polygons[1] = polygon;
+  if (status == GCV_OK) status = gcv_scene_add(copy, polygons, point_pair, 2, new_ids);
+  if (status == GCV_OK) status = gcv_scene_set(copy, ids, polygons, point_pair, 2);
+  if (status == GCV_OK) status = gcv_scene_set_layers(copy, ids, layers, 2);
+  if (status == GCV_OK) status = gcv_scene_set_container(copy, holed);
+  if (status == GCV_OK) status = gcv_scene_remove(copy, ids, 2);
+  gcv_scene_destroy(copy);
+  return status;
+}
+static gcv_status scene_relation(void) {
+  int8_t relations[2];
+  return gcv_scene_relation(scene, holed, point_pair, 2, NULL, NULL, relations);
+}
+static gcv_status scene_distance(void) {
+  gcv_separation separations[2];
+  return gcv_scene_distance(scene, holed, point_pair, 2, NULL, NULL, separations);
+}
+static gcv_status scene_cast(void) {
+  gcv_impact impacts[2];
+  return gcv_scene_cast(scene, holed, point_pair, point_pair, 2, NULL, NULL, impacts);
+}
+static gcv_status scene_near(void) {
+  return gcv_scene_near(scene, holed, point, 5, NULL, NULL, &new_pairs);
+}
+static gcv_status scene_pairs(void) {
+  return gcv_scene_pairs(scene, NULL, 5, NULL, NULL, &new_pairs);
+}
+static gcv_status scene_contacts(void) {
+  return gcv_scene_contacts(scene, NULL, 5, 0.5, NULL, NULL, &new_contacts);
+}
+
 static void forget_outputs(void) {
   gcv_polygon_destroy(new_polygon);
   gcv_outer_face_destroy(new_face);
   gcv_superset_destroy(new_superset);
   gcv_region_destroy(new_region);
+  gcv_scene_destroy(new_scene);
+  gcv_pair_list_destroy(new_pairs);
+  gcv_contact_list_destroy(new_contacts);
   new_polygon = NULL;
   new_face = NULL;
   new_superset = NULL;
   new_region = NULL;
+  new_scene = NULL;
+  new_pairs = NULL;
+  new_contacts = NULL;
   text[0] = '\0';
 }
 
@@ -214,6 +266,7 @@ static void starve(gcv_status (*call)(void)) {
     if (!CHECK_STATUS(GCV_ERR_NO_MEMORY, status)) break;
     CHECK(live == live_before);
     CHECK(new_polygon == NULL && new_face == NULL && new_superset == NULL && new_region == NULL);
+    CHECK(new_scene == NULL && new_pairs == NULL && new_contacts == NULL);
     CHECK(text[0] == '\0');
   }
   CHECK(enough > 0);
@@ -273,6 +326,22 @@ static void frugal_functions(void) {
   forget_outputs();
 }
 
+/* Members at two places, in a container. Its polygons have what is prepared for questions. */
+static void make_scene(void) {
+  const gcv_polygon *polygons[2];
+  uint64_t ids[2];
+  polygons[0] = polygon;
+  polygons[1] = fraction;
+  CHECK_OK(gcv_scene_create(&scene));
+  CHECK_OK(gcv_scene_add(scene, polygons, point_pair, 2, ids));
+  CHECK_OK(gcv_scene_set_container(scene, holed));
+  CHECK_OK(scene_relation());
+  CHECK_OK(scene_distance());
+  CHECK_OK(scene_cast());
+  CHECK_OK(scene_contacts());
+  forget_outputs();
+}
+
 int main(void) {
   polygon = polygon_of(xy, 4);
   CHECK_OK(gcv_polygon_create_rings(xy, sizes, 2, 0, &holed));
@@ -281,6 +350,7 @@ int main(void) {
   CHECK_OK(gcv_minkowski_sum_region(holed, polygon, NULL, &region));
   CHECK_OK(outward_sum_region()); /* polygons keep what they have prepared for sums */
   forget_outputs();
+  make_scene();
   starve_in_child("gcv_polygon_create", create);
   starve_in_child("gcv_polygon_create_wkt", create_wkt);
   starve_in_child("gcv_polygon_create_rings", create_rings);
@@ -312,7 +382,15 @@ int main(void) {
   starve_in_child("gcv_region_fits_wkt", region_fits_wkt);
   starve_in_child("gcv_region_edge_sources", region_sources);
   starve_in_child("gcv_region_polygon", region_polygon);
+  starve_in_child("gcv_scene_create", scene_create);
+  starve_in_child("gcv_scene_copy", scene_copy);
+  starve_in_child("gcv_scene_add and other changes", scene_changes);
+  starve_in_child("gcv_scene_polygon", scene_polygon);
+  starve_in_child("gcv_scene_near", scene_near);
+  starve_in_child("gcv_scene_pairs", scene_pairs);
+  starve_in_child("gcv_scene_contacts", scene_contacts);
   frugal_functions();
+  gcv_scene_destroy(scene);
   gcv_region_destroy(region);
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(fraction);

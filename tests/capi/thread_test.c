@@ -32,12 +32,14 @@ static gcv_scene *scene_of_all(void) {
   static const uint64_t ids[] = {3, 4};
   const gcv_polygon *members[6];
   uint64_t new_ids[6];
+  gcv_polygon *room = POLYGON(-20, -20, 20, -20, 20.1, 20, -20, 20);
   gcv_scene *scene = new_scene();
   int k;
-  for (k = 0; k < 6; ++k) members[k] = polygons[k < 4 ? k % 2 : 4][k / 2 % 2];
+  for (k = 0; k < 6; ++k) members[k] = polygons[k < 4 ? k % 2 : 2][k / 2 % 2];
   CHECK_OK(gcv_scene_add(scene, members, positions, 6, new_ids));
   CHECK_OK(gcv_scene_set_layers(scene, ids, layers, 2));
-  CHECK_OK(gcv_scene_set_container(scene, polygons[0][0]));
+  CHECK_OK(gcv_scene_set_container(scene, room));
+  gcv_polygon_destroy(room);
   return scene;
 }
 

@@ -5,6 +5,7 @@
 // one, where positions have doubles as differences. What is refused changes nothing.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <optional>
 #include <string>
