@@ -100,5 +100,10 @@ def draw(ax: Axes, scene: gcv.Scene) -> None:
         member.plot(ax, **STYLE_A, alpha=None, linewidth=0.8)
         left, bottom, right, top = member.bounds
         ax.text(
-            (left + right) / 2, (bottom + top) / 2, str(number), color=BLUE, ha="center", va="center"
+            (left + right) / 2,
+            (bottom + top) / 2,
+            str(number),
+            color=BLUE,
+            ha="center",
+            va="center",
         )

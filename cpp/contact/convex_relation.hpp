@@ -3,7 +3,7 @@
 // The relation of two convex polygons, by a line that separates them.
 #pragma once
 
-#include "relation.hpp"
+#include "polygon_pair.hpp"
 
 namespace gcv {
 

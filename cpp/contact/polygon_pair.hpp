@@ -4,6 +4,7 @@
 // It is never rounded.
 #pragma once
 
+#include <cstdint>
 #include <limits>
 
 #include "box.hpp"
@@ -12,6 +13,9 @@
 #include "predicates.hpp"
 
 namespace gcv {
+
+// How two polygons lie. The values are those of gcv.h.
+enum class Relation : std::int8_t { apart = 1, touching = 0, overlapping = -1 };
 
 // A polygon, prepared for questions about it. It must live longer. Its solid is connected and
 // bounded; or it is a complement, as that of a container.

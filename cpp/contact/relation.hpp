@@ -3,14 +3,9 @@
 // Are two polygons apart, do they touch, or do they overlap?
 #pragma once
 
-#include <cstdint>
-
 #include "polygon_pair.hpp"
 
 namespace gcv {
-
-// The values are those of gcv.h.
-enum class Relation : std::int8_t { apart = 1, touching = 0, overlapping = -1 };
 
 // Exact. The boundaries are compared where they come near each other. An overlap ends the search.
 //
