@@ -46,7 +46,7 @@ template <class Search>
 class PairDescent {
  public:
   PairDescent(const PlacedPair& placed, Search& search)
-      : a_(placed.a.tree), b_(placed.b.tree), offset_(placed.offset()), search_(search) {}
+      : a_(placed.a.tree()), b_(placed.b.tree()), offset_(placed.offset()), search_(search) {}
 
   // Did the search end?
   bool run() { return descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)}); }

@@ -16,6 +16,7 @@ class Ray {
   Ray(const PlacedPolygon& polygon, const SumPoint& point, const Point& relative, double slack,
       Tally& tally)
       : polygon_(polygon),
+        tree_(polygon.tree()),
         point_(point),
         box_{relative.x - slack, relative.y - slack, std::numeric_limits<double>::infinity(),
              relative.y + slack},
@@ -23,20 +24,16 @@ class Ray {
         tally_(tally) {}
 
   // Does the ray cross the edges of the polygon an odd number of times?
-  bool crosses_oddly() {
-    const ChainTree& tree = polygon_.tree;
-    return !are_apart(tree.box, box_) && crosses_oddly({0, 0}, tree.box);
-  }
+  bool crosses_oddly() { return !are_apart(tree_.box, box_) && crosses_oddly({0, 0}, tree_.box); }
 
  private:
   // The same for the edges below a node. If all of a chain is to the right of the point, its ends
   // tell.
   bool crosses_oddly(const ChainTree::Node& node, const Box& box) {
-    const ChainTree& tree = polygon_.tree;
-    const bool is_edge = tree.is_edge(node);
+    const bool is_edge = tree_.is_edge(node);
     const bool is_right = box.x0 > right_;
     if (is_edge || is_right) {
-      const Index first = tree.first_edge(node);
+      const Index first = tree_.first_edge(node);
       const Index last = is_edge ? first : last_edge(node);
       if (is_edge || is_on_one_ring(first, last)) {
         const bool starts_above = is_above(first);
@@ -44,7 +41,7 @@ class Ray {
                (is_right || side(polygon_.edge(first), point_, tally_) == (starts_above ? -1 : 1));
       }
     }
-    const ChainTree::Block& block = tree.blocks[tree.block_below(node)];
+    const ChainTree::Block& block = tree_.blocks[tree_.block_below(node)];
     bool is_odd = false;
     for_each_lane(block.overlapping(box_) & children_of(block), [&](std::uint32_t lane) {
       is_odd = is_odd != crosses_oddly(ChainTree::child(node, lane), block.box(lane));
@@ -57,8 +54,8 @@ class Ray {
     const ChainTree::Node next{node.depth, node.index + 1};
     const Index end = polygon_.boundary.size();
     // The node may be the last one, and the one behind it beyond the range of numbers.
-    const Index first = polygon_.tree.first_edge(node);
-    const Index behind = polygon_.tree.first_edge(next);
+    const Index first = tree_.first_edge(node);
+    const Index behind = tree_.first_edge(next);
     return (behind > first ? std::min(behind, end) : end) - 1;
   }
   [[nodiscard]] bool is_on_one_ring(Index first, Index last) const {
@@ -71,6 +68,7 @@ class Ray {
   }
 
   const PlacedPolygon& polygon_;
+  const ChainTree& tree_;
   const SumPoint& point_;
   const Box box_;
   const double right_;  // what is further right is so exactly

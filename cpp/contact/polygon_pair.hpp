@@ -21,12 +21,13 @@ enum class Relation : std::int8_t { apart = 1, touching = 0, overlapping = -1 };
 // bounded; or it is a complement, as that of a container.
 struct PreparedPolygon {
   explicit PreparedPolygon(const Polygon& polygon) : PreparedPolygon(polygon.boundary()) {}
-  explicit PreparedPolygon(const Boundary& of)
-      : boundary(of), tree(boundary.index().tree), touches(touches_of(boundary)) {}
+  explicit PreparedPolygon(const Boundary& of) : boundary(of), touches(touches_of(boundary)) {}
 
   const Boundary& boundary;
-  const ChainTree& tree;  // over vertices relative to the first one
   const Touches& touches;
+
+  // Over vertices relative to the first one. Made when it is first asked for.
+  [[nodiscard]] const ChainTree& tree() const { return boundary.index().tree; }
 
   [[nodiscard]] bool is_complement() const { return boundary.kind == Boundary::Kind::hole; }
 

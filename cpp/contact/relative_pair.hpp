@@ -16,7 +16,7 @@ class RelativePair {
   explicit RelativePair(const PlacedPair& placed)
       : placed_(placed),
         offset_(placed.offset()),
-        scale_(scale_for_squares(extent(placed.a.tree.box) + extent(placed.b.tree.box) +
+        scale_(scale_for_squares(extent(placed.a.tree().box) + extent(placed.b.tree().box) +
                                  std::abs(offset_.x) + std::abs(offset_.y))),
         slack_(scale_ *
                (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {}

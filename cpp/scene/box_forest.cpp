@@ -244,6 +244,21 @@ void BoxForest::renumber(std::span<const Slot> to, Slot slots) noexcept {
   }
 }
 
+std::vector<BoxForest::Part> BoxForest::parts() const {
+  constexpr std::uint32_t levels = 5;  // of a part: up to 1,024 boxes
+  std::vector<Part> parts;
+  for (std::uint32_t k = 0; k < trees_.size(); ++k) {
+    const Tree& tree = trees_[k];
+    const std::uint32_t depth = tree.depths() > levels ? tree.depths() - levels : 0;
+    const auto leaves = static_cast<std::uint64_t>(tree.slots.size());
+    const std::uint64_t leaves_a_part = std::uint64_t{1} << 2 * (tree.depths() - depth);
+    for (std::uint32_t index = 0; index * leaves_a_part < leaves; ++index) {
+      parts.push_back({k, {depth, index}});
+    }
+  }
+  return parts;
+}
+
 std::size_t BoxForest::bytes() const {
   std::size_t bytes = places_.capacity() * sizeof(Place) + trees_.capacity() * sizeof(Tree);
   for (const Tree& tree : trees_) {

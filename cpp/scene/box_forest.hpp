@@ -16,6 +16,8 @@
 
 #include "box.hpp"
 #include "chain_tree.hpp"
+#include "placed_box.hpp"
+#include "simd.hpp"
 
 namespace gcv {
 
@@ -58,6 +60,19 @@ class BoxForest {
     return false;
   }
 
+  // The pairs of boxes are looked for in parts, which may run side by side. A part has a node of a
+  // tree, for pairs of which one box is below it and the other below it, too, or in a later node or
+  // tree.
+  struct Part {
+    std::uint32_t tree;
+    ChainTree::Node node;
+  };
+  [[nodiscard]] std::vector<Part> parts() const;
+  // Calls visit(slot, slot) for the pairs of a part whose boxes are no further than a distance from
+  // each other in x and y.
+  template <class Visit>
+  void visit_pairs(const Part& part, double distance, Visit visit) const;
+
   // The bytes that it has taken.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -89,6 +104,13 @@ class BoxForest {
       return boxes.blocks[boxes.first_block.back() + leaf / ChainTree::width].box(leaf %
                                                                                   ChainTree::width);
     }
+    [[nodiscard]] Box box_of(const ChainTree::Node& node) const {
+      if (node.depth == 0) {
+        return boxes.box;
+      }
+      const std::uint32_t block = boxes.first_block[node.depth - 1] + node.index / ChainTree::width;
+      return boxes.blocks[block].box(node.index % ChainTree::width);
+    }
     [[nodiscard]] bool is_worn() const {
       return 2 * std::uint64_t{live} < slots.size() || extent > 2 * built_extent;
     }
@@ -106,6 +128,9 @@ class BoxForest {
     }
   };
 
+  template <class Visit>
+  class PairVisitor;
+
   static Tree build(std::span<const Change> boxes);
   // Adds the boxes of a tree.
   static void add_boxes(const Tree& tree, std::vector<Change>& boxes);
@@ -121,6 +146,95 @@ class BoxForest {
   std::vector<Tree> trees_;
   std::vector<Place> places_;  // of each slot
 };
+
+// Goes down from pairs of nodes to pairs of boxes.
+template <class Visit>
+class BoxForest::PairVisitor {
+ public:
+  PairVisitor(double distance, Visit& visit) : distance_(distance), visit_(visit) {}
+
+  // A node of a tree, and its box.
+  struct Place {
+    const Tree& tree;
+    ChainTree::Node node;
+    Box box;
+
+    [[nodiscard]] bool is_leaf() const { return tree.boxes.is_edge(node); }
+    [[nodiscard]] const ChainTree::Block& block() const {
+      return tree.boxes.blocks[tree.boxes.block_below(node)];
+    }
+    [[nodiscard]] Place child(std::uint32_t lane) const {
+      return {tree, ChainTree::child(node, lane), block().box(lane)};
+    }
+    [[nodiscard]] Slot slot() const { return tree.slots[node.index]; }
+    [[nodiscard]] std::uint32_t levels() const { return tree.depths() - node.depth; }
+  };
+
+  // Pairs below one node.
+  void within(const Place& place) {
+    if (place.is_leaf()) {
+      return;
+    }
+    const unsigned children = children_of(place.block());
+    for_each_lane(children, [&](std::uint32_t lane) {
+      const Place child = place.child(lane);
+      within(child);
+      const unsigned later = children & near(place, child.box) & ~((2U << lane) - 1);
+      for_each_lane(later, [&](std::uint32_t other) { between(child, place.child(other)); });
+    });
+  }
+  // Pairs of a box below each of two nodes, which are apart.
+  void between(const Place& p, const Place& q) {
+    if (p.is_leaf() && q.is_leaf()) {
+      if (p.slot() != no_slot && q.slot() != no_slot) {
+        visit_(p.slot(), q.slot());
+      }
+    } else if (p.levels() >= q.levels()) {
+      for_each_lane(children_of(p.block()) & near(p, q.box),
+                    [&](std::uint32_t lane) { between(p.child(lane), q); });
+    } else {
+      for_each_lane(children_of(q.block()) & near(q, p.box),
+                    [&](std::uint32_t lane) { between(p, q.child(lane)); });
+    }
+  }
+  // Pairs of a box below a node and one behind that node in its tree.
+  void with_later(const Place& place, const Place& other) {
+    const std::uint32_t shift = 2 * (place.node.depth - other.node.depth);
+    const std::uint64_t end = (std::uint64_t{other.node.index} + 1) << shift;
+    if (end <= std::uint64_t{place.node.index} + 1) {
+      return;
+    }
+    if (shift == 0) {
+      between(place, other);
+      return;
+    }
+    for_each_lane(children_of(other.block()) & near(other, place.box),
+                  [&](std::uint32_t lane) { with_later(place, other.child(lane)); });
+  }
+
+ private:
+  // The children of a node that are near a box.
+  [[nodiscard]] unsigned near(const Place& place, const Box& box) const {
+    return place.block().overlapping(distance_ > 0 ? widened_outwards(box, distance_) : box);
+  }
+
+  const double distance_;
+  Visit& visit_;
+};
+
+template <class Visit>
+void BoxForest::visit_pairs(const Part& part, double distance, Visit visit) const {
+  PairVisitor visitor(distance, visit);
+  using Node = typename PairVisitor<Visit>::Place;
+  const Tree& tree = trees_[part.tree];
+  const Node root{tree, {0, 0}, tree.boxes.box};
+  const Node node{tree, part.node, tree.box_of(part.node)};
+  visitor.within(node);
+  visitor.with_later(node, root);
+  for (std::size_t k = part.tree + 1; k < trees_.size(); ++k) {
+    visitor.between(node, {trees_[k], {0, 0}, trees_[k].boxes.box});
+  }
+}
 
 struct BoxForest::Prepared {
   struct Fit {

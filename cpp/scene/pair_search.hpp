@@ -20,11 +20,18 @@ class PairSearch {
  public:
   // Leaves out pairs of solids that are both unchanged.
   PairSearch(const Scene& scene, const Query& query, const Unchanged& unchanged, double distance)
-      : scene_(scene), query_(query), unchanged_(unchanged), distance_(distance) {
-    for (std::uint32_t slot = 0; slot < scene.members().size(); ++slot) {
+      : scene_(scene),
+        distance_(distance),
+        container_(query.admits_container() ? scene.container() : std::nullopt),
+        container_is_changed_(!unchanged.has_container()),
+        kinds_(scene.members().size(), Kind::left_out) {
+    for (std::uint32_t slot = 0; slot < kinds_.size(); ++slot) {
       if (query.admits(scene.members()[slot])) {
         all_.push_back(slot);
-        if (!unchanged.has_slot(slot)) {
+        if (unchanged.has_slot(slot)) {
+          kinds_[slot] = Kind::unchanged;
+        } else {
+          kinds_[slot] = Kind::changed;
           changed_.push_back(slot);
         }
       }
@@ -33,35 +40,46 @@ class PairSearch {
 
   // Calls visit(results, a, b) for pairs of solids, at least for those that are no further than the
   // distance, each once, with a.id < b.id. `results` is a vector of one thread. Returns all
-  // results. If nothing is unchanged, they are in the order of the pairs; they always are in the
-  // same one, whatever the threads. Members are the steps of the task. Throws Error: cancelled.
+  // results, in the same order for any number of threads. Blocks of members are the steps of the
+  // task. Throws Error: cancelled.
   template <class Result, class Visit>
   [[nodiscard]] std::vector<Result> run(Task& task, Visit visit) const {
-    const std::optional<Solid> container =
-        query_.admits_container() ? scene_.container() : std::nullopt;
-    const Slots& beside_container = unchanged_.has_container() ? changed_ : all_;
-    const std::size_t container_blocks = container ? blocks_of(beside_container) : 0;
-    const std::size_t blocks = container_blocks + blocks_of(changed_);
+    // Where few members have changed, each of them looks for those near it. Else all pairs of boxes
+    // are looked for at once.
+    const bool are_few = changed_.size() < all_.size() / 2;
+    const std::vector<BoxForest::Part> parts =
+        are_few ? std::vector<BoxForest::Part>() : scene_.boxes().parts();
+    const Slots& beside_container = container_is_changed_ ? all_ : changed_;
+    const std::size_t container_blocks = container_ ? blocks_of(beside_container) : 0;
+    const std::size_t blocks = container_blocks + (are_few ? blocks_of(changed_) : parts.size());
     std::vector<std::vector<Result>> results(blocks);
     task.begin(blocks * slots_a_block);
     for_each_in_parallel(
         blocks, task.threads(),
         [&](std::size_t block) {
           task.advance(0);  // other threads go on after one that was cancelled
-          std::vector<Result>& found = results[block];
+          const auto visit_solids = [&](const Solid& a, const Solid& b) {
+            visit(results[block], a, b);
+          };
           if (block < container_blocks) {
-            for (const std::uint32_t slot : part(beside_container, block)) {
-              visit(found, *container, scene_.solid(slot));
+            for (const std::uint32_t slot : block_of(beside_container, block)) {
+              visit_solids(*container_, scene_.solid(slot));
             }
+          } else if (are_few) {
+            visit_near(block_of(changed_, block - container_blocks), visit_solids);
           } else {
-            visit_members(part(changed_, block - container_blocks),
-                          [&](const Solid& a, const Solid& b) { visit(found, a, b); });
+            visit_part(parts[block - container_blocks], visit_solids);
           }
           task.advance(slots_a_block);
         },
         [&] { task.watch(); });
     task.finish();
+    std::size_t count = 0;
+    for (const std::vector<Result>& found : results) {
+      count += found.size();
+    }
     std::vector<Result> all;
+    all.reserve(count);
     for (const std::vector<Result>& found : results) {
       all.insert(all.end(), found.begin(), found.end());
     }
@@ -72,44 +90,53 @@ class PairSearch {
   using Slots = std::vector<std::uint32_t>;
   static constexpr std::size_t slots_a_block = 256;
 
+  enum class Kind : std::uint8_t { left_out, unchanged, changed };
+
   static std::size_t blocks_of(const Slots& slots) {
     return (slots.size() + slots_a_block - 1) / slots_a_block;
   }
-  static std::span<const std::uint32_t> part(const Slots& slots, std::size_t block) {
+  static std::span<const std::uint32_t> block_of(const Slots& slots, std::size_t block) {
     const std::size_t first = block * slots_a_block;
     return std::span(slots).subspan(first, std::min(slots_a_block, slots.size() - first));
   }
 
   template <class Visit>
-  void visit_members(std::span<const std::uint32_t> slots, Visit visit) const {
-    Slots others;  // near one of them
+  void visit_in_order(std::uint32_t p, std::uint32_t q, Visit visit) const {
+    visit(scene_.solid(std::min(p, q)), scene_.solid(std::max(p, q)));
+  }
+  // The pairs of some changed members; of two changed ones those with a later member.
+  template <class Visit>
+  void visit_near(std::span<const std::uint32_t> slots, Visit visit) const {
     for (const std::uint32_t slot : slots) {
       const Solid solid = scene_.solid(slot);
       const Box box =
           widened_outwards(moved_outwards(solid.boundary.bounds, solid.position), distance_);
-      others.clear();
-      any_near(scene_, query_, box, [&](std::uint32_t other) {
-        if (other > slot || (other < slot && unchanged_.has_slot(other))) {
-          others.push_back(other);
+      const auto visit_other = [&](std::uint32_t other) {
+        if (kinds_[other] == Kind::unchanged || (kinds_[other] == Kind::changed && other > slot)) {
+          visit_in_order(slot, other, visit);
         }
         return false;
-      });
-      std::sort(others.begin(), others.end());
-      for (const std::uint32_t other : others) {
-        if (other > slot) {
-          visit(solid, scene_.solid(other));
-        } else {
-          visit(scene_.solid(other), solid);
-        }
-      }
+      };
+      NearBoxes search(box, visit_other);
+      scene_.boxes().search(search);
     }
+  }
+  template <class Visit>
+  void visit_part(const BoxForest::Part& part, Visit visit) const {
+    scene_.boxes().visit_pairs(part, distance_, [&](std::uint32_t p, std::uint32_t q) {
+      if (kinds_[p] != Kind::left_out && kinds_[q] != Kind::left_out &&
+          (kinds_[p] == Kind::changed || kinds_[q] == Kind::changed)) {
+        visit_in_order(p, q, visit);
+      }
+    });
   }
 
   const Scene& scene_;
-  const Query& query_;
-  const Unchanged& unchanged_;
   const double distance_;
-  Slots all_;  // that the query admits
+  const std::optional<Solid> container_;
+  const bool container_is_changed_;
+  std::vector<Kind> kinds_;  // of each slot
+  Slots all_;                // that the query admits
   Slots changed_;
 };
 

@@ -2,6 +2,8 @@
 #include "scene_pairs.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <numeric>
 #include <utility>
 
 #include "distance.hpp"
@@ -19,10 +21,40 @@ std::optional<Relation> relation_within(const Solid& a, const Boundary& b, const
   return relation_within(PlacedPair(pair, a.position, position), distance, tally);
 }
 
+// Puts pairs in order: by a with a count of each, where these are dense, then by b.
+std::vector<ScenePair> sorted(std::vector<ScenePair> pairs) {
+  if (pairs.empty()) {
+    return pairs;
+  }
+  const auto [first, last] = std::minmax_element(
+      pairs.begin(), pairs.end(), [](const ScenePair& p, const ScenePair& q) { return p.a < q.a; });
+  const Id low = first->a;
+  const Id range = last->a - low;
+  if (range > 4 * pairs.size()) {
+    std::sort(pairs.begin(), pairs.end());
+    return pairs;
+  }
+  std::vector<std::size_t> ends(range + 1, 0);  // of each a; first their counts, then their starts
+  for (const ScenePair& pair : pairs) {
+    ++ends[pair.a - low];
+  }
+  std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), std::size_t{0});
+  std::vector<ScenePair> all(pairs.size());
+  for (const ScenePair& pair : pairs) {
+    all[ends[pair.a - low]++] = pair;
+  }
+  std::size_t start = 0;
+  for (const std::size_t end : ends) {
+    std::sort(all.begin() + static_cast<std::ptrdiff_t>(start),
+              all.begin() + static_cast<std::ptrdiff_t>(end));
+    start = end;
+  }
+  return all;
+}
+
 // The pairs of an earlier list that are both unchanged, and others, in order.
 std::vector<ScenePair> merged(const std::vector<ScenePair>& old, const Unchanged& unchanged,
-                              std::vector<ScenePair> others) {
-  std::sort(others.begin(), others.end());
+                              const std::vector<ScenePair>& others) {
   std::vector<ScenePair> all;
   all.reserve(old.size() + others.size());
   auto other = others.begin();
@@ -92,8 +124,9 @@ PairList near_pairs(const Scene& scene, const Query& query, double distance,
               found.push_back({a.id, b.id, *relation});
             }
           });
+  list.pairs = sorted(std::move(list.pairs));
   if (is_useful) {
-    list.pairs = merged(previous->pairs, unchanged, std::move(list.pairs));
+    list.pairs = merged(previous->pairs, unchanged, list.pairs);
   }
   return list;
 }
