@@ -58,8 +58,14 @@ std::vector<ScenePair> merged(const std::vector<ScenePair>& old, const Unchanged
   std::vector<ScenePair> all;
   all.reserve(old.size() + others.size());
   auto other = others.begin();
+  Id a = 0;
+  bool has_a = false;  // is that one unchanged?
   for (const ScenePair& pair : old) {
-    if (unchanged.has(pair.a) && unchanged.has(pair.b)) {
+    if (pair.a != a) {
+      a = pair.a;
+      has_a = unchanged.has(a);
+    }
+    if (has_a && unchanged.has(pair.b)) {
       for (; other != others.end() && *other < pair; ++other) {
         all.push_back(*other);
       }
