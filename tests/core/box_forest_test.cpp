@@ -143,9 +143,9 @@ TEST_P(BoxForests, HaveTheBoxesOfAListAfterChanges) {
     for (int step = 0; step < 60; ++step) {
       std::map<Slot, Box> boxes;
       const auto count = static_cast<Slot>(pair.boxes().size());
-      const std::uint32_t kind = random.below(4);
       const std::uint32_t size = random.below(8) == 0 ? random.below(200) : random.below(6);
       for (Slot k = 0; k < size; ++k) {
+        const std::uint32_t kind = random.below(4);
         const Slot old = count == 0 ? 0 : random.below(count);
         if (kind == 0 || count == 0) {
           boxes[count + k] = pair.random_box(random, 4);
