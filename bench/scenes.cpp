@@ -13,11 +13,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <random>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -109,19 +109,15 @@ void make_cells(std::size_t rows, std::size_t columns, Wall& wall) {
   wall.positions.assign(2 * count, 0);
 }
 
-// One brick at many positions, which are no multiples of its sides in doubles.
+// One brick at many positions, which differ by whole numbers exactly.
 void make_masonry(std::size_t rows, std::size_t columns, Wall& wall) {
   const double brick[] = {0, 0, 2, 0, 2, 1, 0, 1};
-  const double x0 = 0.1;
-  const double y0 = 0.7;
   wall.polygons.resize(1);
   check(gcv_polygon_create(brick, 4, 0, wall.polygons.data()));
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t column = 0; column < columns; ++column) {
-      // Sums of 2^-54 and larger numbers below 2^12 in steps of 1/2^40: exact.
-      const double x = std::ldexp(std::round(std::ldexp(x0, 40)), -40) +
-                       static_cast<double>(2 * column + row % 2);
-      const double y = std::ldexp(std::round(std::ldexp(y0, 40)), -40) + static_cast<double>(row);
+      const double x = 0.125 + static_cast<double>(2 * column + row % 2);
+      const double y = 0.75 + static_cast<double>(row);
       wall.positions.insert(wall.positions.end(), {x, y});
       wall.boxes.push_back({x, y, x + 2, y + 1});
     }
@@ -176,8 +172,8 @@ void move_some(const Wall& wall, Scene& scene) {
   check(gcv_scene_set(scene.scene, ids.data(), nullptr, positions.data(), ids.size()));
 }
 
-// All pairs of boxes that meet, each found twice, and each box by itself.
-std::size_t count_with_geos(const std::vector<Box>& boxes) {
+// How long the tree of GEOS takes to be built over boxes and asked for what meets each of them.
+double milliseconds_of_geos(const std::vector<Box>& boxes) {
   const GEOSContextHandle_t geos = GEOS_init_r();
   std::vector<GEOSGeometry*> shapes;
   for (const Box& box : boxes) {
@@ -203,11 +199,14 @@ std::size_t count_with_geos(const std::vector<Box>& boxes) {
     GEOSGeom_destroy_r(geos, shape);
   }
   GEOS_finish_r(geos);
-  return found == 0 ? 0 : static_cast<std::size_t>(milliseconds * 1000);
+  if (found < boxes.size()) {
+    throw std::runtime_error("GEOS has lost boxes");
+  }
+  return milliseconds;
 }
 
-// Microseconds.
-std::size_t count_with_box2d(const std::vector<Box>& boxes) {
+// The same for that of Box2D, whose boxes are in floats.
+double milliseconds_of_box2d(const std::vector<Box>& boxes) {
   struct Counter {
     bool QueryCallback(std::int32_t /*proxy*/) {
       ++found;
@@ -230,7 +229,10 @@ std::size_t count_with_box2d(const std::vector<Box>& boxes) {
       tree.Query(&counter, aabb);
     }
   });
-  return counter.found == 0 ? 0 : static_cast<std::size_t>(milliseconds * 1000);
+  if (counter.found < boxes.size()) {
+    throw std::runtime_error("Box2D has lost boxes");
+  }
+  return milliseconds;
 }
 
 // Prints a line of the table. Returns whether the pairs are those that touch.
@@ -261,8 +263,8 @@ bool measure(const Wall& wall) {
     }));
     gcv_pair_list_destroy(other);
     gcv_pair_list_destroy(list);
-    geos.push_back(static_cast<double>(count_with_geos(wall.boxes)) / 1000);
-    box2d.push_back(static_cast<double>(count_with_box2d(wall.boxes)) / 1000);
+    geos.push_back(milliseconds_of_geos(wall.boxes));
+    box2d.push_back(milliseconds_of_box2d(wall.boxes));
   }
   const double own = median(both);
   std::printf("| %s | %zu | %zu | %.1f | %.2f | %.2f | %.2f | %.1f %% | %.0f |\n",
