@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Four digests for each family of the catalogue. The first is over all that the library says of
+// Five digests for each family of the catalogue. The first is over all that the library says of
 // its sums: coordinates to the last bit, sources, bounds, in both roundings, exactly and within a
 // tolerance. The second is over the regions of the same pairs, and of some made of them: exact and
 // rounded parts, sources, bounds, places of points. The third is over relations, distances and
-// casts, the fourth over ways out of overlaps and lists of contacts. They are the same for every
-// compiler and every level of optimisation.
+// casts, the fourth over ways out of overlaps and lists of contacts, the fifth over scenes. They
+// are the same for every compiler and every level of optimisation.
 //
 //   digest           prints them
 //   digest FILE      compares them with the ones in the file
@@ -201,7 +201,8 @@ std::string all_digests() {
     for (const Family& family : theme()) {
       const Pairs pairs = family.pairs();
       text << family.name << ' ' << std::hex << digest_of(pairs) << ' ' << digest_of_regions(pairs)
-           << ' ' << digest_of_questions(pairs) << ' ' << digest_of_overlaps(pairs) << '\n';
+           << ' ' << digest_of_questions(pairs) << ' ' << digest_of_overlaps(pairs) << ' '
+           << digest_of_scenes(pairs) << '\n';
     }
   }
   return text.str();

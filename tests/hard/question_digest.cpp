@@ -19,6 +19,10 @@ namespace {
 
 using invariants::PolygonHandle;
 
+struct SceneDestroy {
+  void operator()(gcv_scene* scene) const { gcv_scene_destroy(scene); }
+};
+
 // Translations and motions from there.
 struct Places {
   Polygon translations;
@@ -125,6 +129,15 @@ void add_ways_out(Digest& digest, const gcv_polygon* a, const gcv_polygon* movin
   }
 }
 
+void add_contacts_of(Digest& digest, const gcv_contact_list* list) {
+  std::size_t count = 0;
+  bool read = gcv_contact_list_contacts(list, nullptr, 0, &count) == GCV_OK;
+  std::vector<gcv_contact> contacts(count);
+  read = read && gcv_contact_list_contacts(list, contacts.data(), count, &count) == GCV_OK;
+  digest.add(&read, sizeof read);
+  digest.add(contacts);
+}
+
 // Contacts within a small part of each motion, with and without a slope.
 void add_contacts(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
                   const Places& places) {
@@ -136,15 +149,78 @@ void add_contacts(Digest& digest, const gcv_polygon* a, const gcv_polygon* movin
       const gcv_status status =
           gcv_contacts(a, moving, places.translations[k].data(), distance, slope, nullptr, &list);
       digest.add(&status, sizeof status);
-      std::size_t count = 0;
-      bool read = gcv_contact_list_contacts(list, nullptr, 0, &count) == GCV_OK;
-      std::vector<gcv_contact> contacts(count);
-      read = read && gcv_contact_list_contacts(list, contacts.data(), count, &count) == GCV_OK;
-      digest.add(&read, sizeof read);
-      digest.add(contacts);
+      add_contacts_of(digest, list);
       gcv_contact_list_destroy(list);
     }
   }
+}
+
+void add_pairs_of(Digest& digest, const gcv_pair_list* list) {
+  std::size_t count = 0;
+  bool read = gcv_pair_list_pairs(list, nullptr, 0, &count) == GCV_OK;
+  std::vector<gcv_pair> pairs(count);
+  read = read && gcv_pair_list_pairs(list, pairs.data(), count, &count) == GCV_OK;
+  digest.add(&read, sizeof read);
+  digest.add(pairs);
+}
+
+// A as the container and as a member, the polygon that moves at all places, some of them taken out
+// again; and the same polygon asked about in between. On one thread and on several.
+void add_scene(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+               const Places& places) {
+  const std::size_t count = places.translations.size();
+  if (count == 0) {
+    return;
+  }
+  gcv_scene* scene = nullptr;
+  gcv_status status = gcv_scene_create(&scene);
+  const std::unique_ptr<gcv_scene, SceneDestroy> owner(scene);
+  const double origin[2] = {0, 0};
+  std::uint64_t id = 0;
+  std::vector<std::uint64_t> ids(count);
+  const std::vector<const gcv_polygon*> members(count, moving);
+  for (const gcv_status step :
+       {gcv_scene_set_container(scene, a), gcv_scene_add(scene, &a, origin, 1, &id),
+        gcv_scene_add(scene, members.data(), places.translations.front().data(), count, ids.data()),
+        gcv_scene_remove(scene, ids.data(), count / 3)}) {
+    status = status == GCV_OK ? step : status;
+  }
+  digest.add(&status, sizeof status);
+  const Point& way = places.motions.front();
+  const double distance = std::max(std::abs(way[0]), std::abs(way[1])) / 1024;
+  gcv_options options = GCV_OPTIONS_INIT;
+  for (const std::int32_t threads : {1, 3}) {
+    options.threads = threads;
+    gcv_pair_list* pairs = nullptr;
+    gcv_contact_list* contacts = nullptr;
+    status = gcv_scene_pairs(scene, nullptr, distance, nullptr, &options, &pairs);
+    digest.add(&status, sizeof status);
+    add_pairs_of(digest, pairs);
+    status = gcv_scene_contacts(scene, nullptr, distance, 0, nullptr, &options, &contacts);
+    digest.add(&status, sizeof status);
+    add_contacts_of(digest, contacts);
+    gcv_contact_list_destroy(contacts);
+    gcv_pair_list_destroy(pairs);
+  }
+  gcv_query query = GCV_QUERY_INIT;
+  query.ignore = &ids.back();
+  query.ignore_count = 1;
+  const auto from = [&](std::size_t first) { return places.translations[first].data(); };
+  const auto with = [&](std::int32_t threads) {
+    options.threads = threads;
+    return &options;
+  };
+  add_answers<gcv_separation>(
+      digest, count,
+      [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_separation* out) {
+        return gcv_scene_distance(scene, moving, from(first), number, &query, with(threads), out);
+      });
+  add_answers<gcv_impact>(
+      digest, count,
+      [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_impact* out) {
+        return gcv_scene_cast(scene, moving, from(first), places.motions[first].data(), number,
+                              &query, with(threads), out);
+      });
 }
 
 // Pairs with few superset edges, or the first one.
@@ -187,6 +263,11 @@ std::uint64_t digest_of_overlaps(const Pairs& pairs) {
         add_ways_out(digest, a, moving, places);
         add_contacts(digest, a, moving, places);
       });
+}
+
+std::uint64_t digest_of_scenes(const Pairs& pairs) {
+  constexpr std::size_t most_places = 12;
+  return digest_of_pairs(pairs, most_places, add_scene);
 }
 
 }  // namespace gcv::hard

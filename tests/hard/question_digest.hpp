@@ -14,4 +14,7 @@ std::uint64_t digest_of_questions(const Pairs& pairs);
 // Likewise: ways out of overlaps, between such vertices; and lists of contacts, in them.
 std::uint64_t digest_of_overlaps(const Pairs& pairs);
 
+// Likewise: pairs and contacts of scenes of such polygons, distances and casts in them.
+std::uint64_t digest_of_scenes(const Pairs& pairs);
+
 }  // namespace gcv::hard
