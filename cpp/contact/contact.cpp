@@ -13,25 +13,29 @@ Contact between_vertices(const PlacedPair& placed, const ContactName& name, Tall
   const SumPoint p = placed.a.vertex(name.i);
   const SumPoint q = placed.b.vertex(name.j);
   Contact contact;
-  contact.gap = nearest_gap(gap_of(placed, name, tally), tally);
-  if (!are_equal(p, q, tally)) {
-    contact.normal = nearest_unit_vector(p, q, tally);
-  }
   contact.on_a = nearest_point(p, tally);
-  contact.on_b = nearest_point(q, tally);
+  contact.on_b = contact.on_a;
+  if (!are_equal(p, q, tally)) {
+    contact.gap = nearest_gap(gap_of(placed, name, tally), tally);
+    contact.normal = nearest_unit_vector(p, q, tally);
+    contact.on_b = nearest_point(q, tally);
+  }
   return contact;
 }
 
 Contact between_edge_and_vertex(const PlacedPair& placed, const ContactName& name, Tally& tally) {
   const EdgeAndVertex pair = edge_and_vertex(placed, name);
   const Nearest nearest = nearest_on(pair, tally);
-  Contact contact;
-  contact.gap = nearest_gap(gap_between(pair, nearest), tally);
-  const Point on_edge =
-      nearest == Nearest::inside
-          ? nearest_crossing(pair.edge, perpendicular(pair.edge, pair.vertex), tally)
-          : nearest_point(nearest == Nearest::start ? pair.edge.origin : pair.end(), tally);
+  const Gap gap = gap_between(pair, nearest);
   const Point vertex = nearest_point(pair.vertex, tally);
+  Contact contact;
+  Point on_edge = vertex;
+  if (!is_zero(gap, tally)) {
+    contact.gap = nearest_gap(gap, tally);
+    on_edge = nearest == Nearest::inside
+                  ? nearest_crossing(pair.edge, perpendicular(pair.edge, pair.vertex), tally)
+                  : nearest_point(nearest == Nearest::start ? pair.edge.origin : pair.end(), tally);
+  }
   const bool is_edge_of_a = name.kind == ContactKind::edge_vertex;
   contact.normal = normal_of(placed, name, tally);
   contact.on_a = is_edge_of_a ? on_edge : vertex;

@@ -9,6 +9,7 @@
 #include "double_double.hpp"
 #include "double_double_rounding.hpp"
 #include "exact_numbers.hpp"
+#include "predicates.hpp"
 #include "to_double.hpp"
 
 namespace gcv {
@@ -152,7 +153,24 @@ int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
   });
 }
 
+bool is_zero(const Gap& gap, Tally& tally) {
+  const SumPoint& p = gap.edge.origin;
+  const SumPoint& q = gap.point;
+  return gap.is_to_line ? side(gap.edge, q, tally) == 0
+                        : compare_sums(p.a.x, p.b.x, q.a.x, q.b.x, tally) == 0 &&
+                              compare_sums(p.a.y, p.b.y, q.a.y, q.b.y, tally) == 0;
+}
+
+// Rounding is monotonic: if the rounded gap is not the distance, it decides.
 int compare_gap(const Gap& p, double distance, Tally& tally) {
+  if (distance == 0) {
+    return is_zero(p, tally) ? 0 : 1;
+  }
+  const std::optional<RoundedNumber> in_doubles = rounded_gap(p);
+  if (in_doubles && in_doubles->value != distance) {
+    ++tally.filtered;
+    return in_doubles->value < distance ? -1 : 1;
+  }
   Grid grid;
   include(grid, p);
   grid.include(distance);

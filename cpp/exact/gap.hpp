@@ -16,6 +16,7 @@ struct Gap {
   bool is_to_line;
 };
 
+bool is_zero(const Gap& gap, Tally& tally);
 // The sign of p - q.
 int compare_gaps(const Gap& p, const Gap& q, Tally& tally);
 // The sign of p - distance. The distance must be finite and not negative.
