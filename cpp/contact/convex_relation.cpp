@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "convex_relation.hpp"
 
+#include <cstdint>
 #include <optional>
 
 namespace gcv {
@@ -77,10 +78,10 @@ class SeparatingEdge {
 }  // namespace
 
 bool are_small_and_convex(const PlacedPair& placed) {
-  constexpr Index most_vertices = 40;  // above, a descent of the trees is faster
+  constexpr std::uint64_t most_vertices = 32;  // of both; above, a descent of the trees is faster
   const Boundary& a = placed.a.boundary;
   const Boundary& b = placed.b.boundary;
-  return a.is_convex && b.is_convex && a.size() <= most_vertices && b.size() <= most_vertices;
+  return a.is_convex && b.is_convex && std::uint64_t{a.size()} + b.size() <= most_vertices;
 }
 
 Relation convex_relation(const PlacedPair& placed, Tally& tally) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -34,6 +35,14 @@ struct CaseOptions {
     return true;
   }
 };
+
+// The name of a family of cases, for the tests of it.
+template <class Family>
+std::string name_of_family(const ::testing::TestParamInfo<Family>& family) {
+  std::string name = family.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+}
 
 // Runs all tests with the options of the command line. The exit status.
 inline int run_with(CaseOptions& options, int argc, char** argv) {

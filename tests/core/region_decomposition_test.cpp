@@ -11,6 +11,7 @@
 #include <string>
 #include <utility>
 
+#include "case_options.hpp"
 #include "decomposition_reference.hpp"
 #include "error.hpp"
 #include "region_families.hpp"
@@ -47,11 +48,7 @@ TEST_P(RegionRings, AreThoseOfTheUnion) { expect_agreement_on(100, 11, GetParam(
 INSTANTIATE_TEST_SUITE_P(Families, RegionRings,
                          ::testing::ValuesIn(test::region_families().begin(),
                                              test::region_families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           std::replace(name.begin(), name.end(), ' ', '_');
-                           return name;
-                         });
+                         [](const auto& family) { return name_of_family(family); });
 
 TEST(RegionRings, OfSpikyStars) {
   expect_agreement_on(15, 12, [](Random& random) {

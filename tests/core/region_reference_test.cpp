@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <string>
 
+#include "case_options.hpp"
 #include "region_families.hpp"
 #include "regions.hpp"
 
@@ -50,11 +51,7 @@ TEST_P(Regions, AreThoseOfTheDefinition) {
 INSTANTIATE_TEST_SUITE_P(Families, Regions,
                          ::testing::ValuesIn(test::region_families().begin(),
                                              test::region_families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           std::replace(name.begin(), name.end(), ' ', '_');
-                           return name;
-                         });
+                         [](const auto& family) { return name_of_family(family); });
 
 }  // namespace
 }  // namespace gcv

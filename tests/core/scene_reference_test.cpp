@@ -210,11 +210,7 @@ TEST_P(Scenes, HaveTheContactsOfTheDefinition) {
 
 INSTANTIATE_TEST_SUITE_P(Families, Scenes,
                          ::testing::ValuesIn(contact_families().begin(), contact_families().end()),
-                         [](const auto& family) {
-                           std::string name = family.param.name;
-                           std::replace(name.begin(), name.end(), ' ', '_');
-                           return name;
-                         });
+                         [](const auto& family) { return name_of_family(family); });
 
 }  // namespace
 }  // namespace gcv::test

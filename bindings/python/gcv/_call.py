@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable
+from contextlib import suppress
 from typing import Any, Callable, Literal, Optional, TypeVar, Union
 
 from . import _ffi, _structs
@@ -52,15 +53,30 @@ def run(
         return cancelled
 
     options = _options(rounding, tolerance, threads, leave_out, _structs.Progress(report))
+    # An interrupt can come while the other thread starts: then the pool does not know it. Who takes
+    # the turn first decides whether it computes at all.
+    turn, ended = threading.Lock(), threading.Event()
+
+    def compute() -> _T:
+        if not turn.acquire(blocking=False):
+            raise RuntimeError("interrupted before it began")
+        try:
+            return call(options)
+        finally:
+            ended.set()
+
     with ThreadPoolExecutor(1) as pool:
         try:
-            future = pool.submit(call, options)
+            future = pool.submit(compute)
             if progress is not None:
                 while not wait((future,), _SECONDS_BETWEEN_REPORTS).done:
                     progress(*latest)
             result = future.result()
         except BaseException:
             cancelled = 1
+            while not (turn.acquire(blocking=False) or ended.is_set()):
+                with suppress(KeyboardInterrupt):
+                    ended.wait()
             raise
     if progress is not None:
         progress(*latest)

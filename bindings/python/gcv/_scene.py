@@ -1,34 +1,29 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The class of scenes: the questions to them."""
+"""The class of scenes, and the lists that they give."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import byref, c_int8, c_uint64
-from typing import Any, Callable, Optional, SupportsIndex, TypeVar, overload
+from ctypes import byref
+from typing import Any, Optional, SupportsIndex, TypeVar
 
 from . import _ffi, _structs
-from ._call import Progress, run
+from ._call import Progress
 from ._contact_list import ContactList, contact_list
-from ._contacts import Impact, Relation, Separation, record, records
 from ._coordinates import number, pair, unfit
 from ._many import vertices
-from ._members import Members
 from ._pair_list import PairList, pair_list
 from ._polygon import as_polygon
 from ._record_list import RecordList
+from ._scene_questions import NEIGHBOURS, Questions, query_of
 from ._sources import PolygonLike
-from ._two_polygons import VERTICES_A_PAIR, read_vectors
-from ._whole_numbers import WholeNumbers, ids_of, one_of_layers
+from ._whole_numbers import WholeNumbers
 
 _Handle = TypeVar("_Handle", _ffi.PairList, _ffi.ContactList)
 
-# A guess of how many members are near to a polygon.
-_NEIGHBOURS = 8
 
-
-class Scene(Members):
+class Scene(Questions):
     """Polygons at positions, the members, and perhaps a container round them; it can change.
 
     container: what members are to be in; a polygon, or whatever Polygon can be made from,
@@ -63,183 +58,6 @@ class Scene(Members):
 
     __slots__ = ()
 
-    @overload
-    def relation(
-        self,
-        moving: PolygonLike,
-        positions: tuple[float, float] = ...,
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Relation: ...
-
-    @overload
-    def relation(
-        self,
-        moving: PolygonLike,
-        positions: Iterable[Any],
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Any: ...
-
-    def relation(
-        self,
-        moving: PolygonLike,
-        positions: Any = (0, 0),
-        *,
-        layers: Optional[SupportsIndex] = None,
-        ignore: WholeNumbers = (),
-        threads: int = 1,
-        progress: Optional[Progress] = None,
-    ) -> Any:
-        """How a polygon at a position lies to the members and the container.
-
-        OVERLAPPING if it overlaps one of them, otherwise TOUCHING if it touches one,
-        otherwise APART.
-
-        moving: a polygon, or whatever Polygon can be made from. positions: (x, y), in input
-        units, for one Relation; or an array or another buffer of shape (n, 2), or a
-        sequence of pairs, for an array of n int8. Without numpy that is a list of Relation.
-
-        layers, ignore: which members; see Scene. threads: how many threads share the
-        positions; 0 is as many as the machine runs at once. progress: called as
-        progress(done, estimate), as gcv.relation does.
-
-        Exact. Takes O(log n), and gcv.relation for each member whose box comes near.
-
-        Raises as Polygon does, and InputError for a position that is no pair of numbers or
-        not finite, by its number, for layers, ignore, and an option.
-        """
-        return self._answer(
-            *(_ffi.scene_relation, c_int8, moving),
-            {"positions": positions},
-            query=(layers, ignore),
-            options=(threads, progress),
-        )
-
-    @overload
-    def distance(
-        self,
-        moving: PolygonLike,
-        positions: tuple[float, float] = ...,
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Separation: ...
-
-    @overload
-    def distance(
-        self,
-        moving: PolygonLike,
-        positions: Iterable[Any],
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Any: ...
-
-    def distance(
-        self,
-        moving: PolygonLike,
-        positions: Any = (0, 0),
-        *,
-        layers: Optional[SupportsIndex] = None,
-        ignore: WholeNumbers = (),
-        threads: int = 1,
-        progress: Optional[Progress] = None,
-    ) -> Any:
-        """How far a polygon at a position is from what is nearest, a member or the container.
-
-        One position gives a Separation; its id says what is nearest. Many give an array of
-        n of dtype SEPARATION_DTYPE, with that id in nearest["id_a"]. Without numpy that is
-        a list of Separation. Of several at the same distance, it is the one with the
-        smallest id. In the contact, a is about it and b about moving.
-
-        The relation is that of relation. Where nothing is there, the distance is infinite,
-        the relation is APART, and the id is 0.
-
-        Exact as gcv.distance. Takes O(log n), and gcv.distance for each member whose box is
-        as near.
-
-        Arguments and errors are those of relation; Error where a result is larger than any
-        finite float.
-        """
-        return self._answer(
-            *(_ffi.scene_distance, _structs.Separation, moving),
-            {"positions": positions},
-            query=(layers, ignore),
-            options=(threads, progress),
-        )
-
-    @overload
-    def cast(
-        self,
-        moving: PolygonLike,
-        positions: tuple[float, float],
-        motions: tuple[float, float],
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Impact: ...
-
-    @overload
-    def cast(
-        self,
-        moving: PolygonLike,
-        positions: Iterable[Any],
-        motions: Iterable[Any],
-        *,
-        layers: Optional[SupportsIndex] = ...,
-        ignore: WholeNumbers = ...,
-        threads: int = ...,
-        progress: Optional[Progress] = ...,
-    ) -> Any: ...
-
-    def cast(
-        self,
-        moving: PolygonLike,
-        positions: Any,
-        motions: Any,
-        *,
-        layers: Optional[SupportsIndex] = None,
-        ignore: WholeNumbers = (),
-        threads: int = 1,
-        progress: Optional[Progress] = None,
-    ) -> Any:
-        """How far a polygon can move along a motion before it overlaps something.
-
-        It moves from the position to position + motion, as in gcv.cast, to the first member
-        that is hit, or the container.
-
-        positions, motions: each is (x, y), or an array of shape (n, 2), or a sequence of
-        pairs. Two pairs give an Impact; its id says what is hit, also where they overlap at
-        the start. Otherwise there is an array of n of dtype IMPACT_DTYPE, with that id in
-        contact["id_a"]; a pair stands for n of them. Without numpy that is a list of
-        Impact. Of several that are hit at the same time, it is the one with the smallest
-        id. Position and relation are about the whole scene.
-
-        Exact as gcv.cast. Takes gcv.cast for each member whose box the motion meets.
-
-        The other arguments and the errors are those of distance; ValueError where there are
-        not as many positions as motions.
-        """
-        return self._answer(
-            *(_ffi.scene_cast, _structs.Impact, moving),
-            {"positions": positions, "motions": motions},
-            query=(layers, ignore),
-            options=(threads, progress),
-        )
-
     def near(
         self,
         moving: PolygonLike,
@@ -263,7 +81,11 @@ class Scene(Members):
         """
         polygon = as_polygon(moving, "moving")
         point = _structs.Point(*pair(position, "position"))
-        limit, query, handle = number(distance, "distance"), _query(layers, ignore), _ffi.PairList()
+        limit, query, handle = (
+            number(distance, "distance"),
+            query_of(layers, ignore),
+            _ffi.PairList(),
+        )
         self._ask(
             lambda options: _ffi.scene_near(
                 *(self._handle, polygon._handle, point, limit, query, options, byref(handle))
@@ -297,7 +119,11 @@ class Scene(Members):
         The other arguments and the errors are those of near; InputError also for a list of
         another scene.
         """
-        limit, query, handle = number(distance, "distance"), _query(layers, ignore), _ffi.PairList()
+        limit, query, handle = (
+            number(distance, "distance"),
+            query_of(layers, ignore),
+            _ffi.PairList(),
+        )
         earlier = _handle_of(previous, PairList, _ffi.PairList)
         self._ask(
             lambda options: _ffi.scene_pairs(
@@ -335,7 +161,7 @@ class Scene(Members):
         """
         limits, query = (
             (number(distance, "distance"), number(slope, "slope")),
-            _query(layers, ignore),
+            query_of(layers, ignore),
         )
         earlier, handle = _handle_of(previous, ContactList, _ffi.ContactList), _ffi.ContactList()
         self._ask(
@@ -346,61 +172,10 @@ class Scene(Members):
         )
         return contact_list(handle)
 
-    def _answer(
-        self,
-        function: Callable[..., int],
-        kind: Any,
-        moving: PolygonLike,
-        vectors: dict[str, Any],
-        query: tuple[Optional[SupportsIndex], WholeNumbers],
-        options: tuple[int, Optional[Progress]],
-    ) -> Any:
-        """What the function gives, of that C type, for the vectors by their names.
-
-        A record where each of the vectors is one; otherwise an array.
-        """
-        polygon, members = as_polygon(moving, "moving"), _query(*query)
-        arguments, count, is_one = read_vectors(vectors)
-        out = (kind * count)()
-        self._ask(
-            lambda known: function(
-                *(self._handle, polygon._handle, *arguments, count, members, known, out)
-            ),
-            *(count * self._vertices_near(vertices(polygon)), *options),
-        )
-        return record(out) if is_one else records(out)
-
-    def _ask(
-        self,
-        call: Callable[[Any], object],
-        visited: int,
-        threads: int,
-        progress: Optional[Progress],
-    ) -> None:
-        """As run does call(options), while nothing changes; visited is a number of vertices."""
-        with self._gate.asking():
-            run(call, visited // VERTICES_A_PAIR, "nearest", 0, threads, progress)
-
-    def _vertices_near(self, own: int) -> int:
-        """A guess of the vertices that a polygon of so many is compared with, and its own."""
-        container = 0 if self._container is None else vertices(self._container)
-        return container + _NEIGHBOURS * (own + self._vertices // max(len(self), 1))
-
     def _vertices_of_pairs(self) -> int:
         """A guess of the vertices of all pairs that are near."""
         container = 0 if self._container is None else vertices(self._container)
-        return container + 2 * _NEIGHBOURS * self._vertices
-
-
-def _query(layers: Optional[SupportsIndex], ignore: WholeNumbers) -> Optional[_structs.Query]:
-    """Which members a question is about, as the library takes it; None for all."""
-    ids, _ = ids_of(ignore, "ignore")
-    if layers is None and not ids:
-        return None
-    query: _structs.Query = _structs.sized(_structs.Query, ignore_count=len(ids))
-    query.layers = 2**32 - 1 if layers is None else one_of_layers(layers, "layers")
-    query.ignore = (c_uint64 * len(ids))(*ids)
-    return query
+        return container + 2 * NEIGHBOURS * self._vertices
 
 
 def _handle_of(

@@ -13,6 +13,7 @@ use crate::handle::Owned;
 use crate::lengths::same_length;
 use crate::{Error, Polygon};
 
+mod lists;
 mod questions;
 
 /// Polygons at positions, the members, and perhaps a container round them.

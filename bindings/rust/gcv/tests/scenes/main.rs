@@ -9,6 +9,7 @@ mod members;
 mod options;
 mod queries;
 mod questions;
+mod refusals;
 
 use gcv::{Contact, ContactKind, Error, Pair, PairList, Polygon, Query, Relation, Scene};
 
@@ -61,4 +62,11 @@ fn assert_fails<T>(result: Result<T, Error>, status: i32, start: &str) {
     let error = result.err().unwrap();
     assert_eq!(error.status, status, "{error}");
     assert!(error.message.starts_with(start), "{error}");
+}
+
+/// The sheet, with unit squares in two of its corners.
+fn on_a_sheet() -> Scene {
+    let mut scene = squares(&[[0., 0.], [9., 9.]]);
+    scene.set_container(Some(&sheet())).unwrap();
+    scene
 }
