@@ -18,6 +18,7 @@ from shapes import SQUARE, scaled, star
 
 import gcv
 from gcv import _structs
+from gcv._call import run
 
 LARGE = star(60000, 1)
 OTHER = star(60000, 2)
@@ -152,3 +153,27 @@ def test_failures_in_the_computing_thread() -> None:
     assert raised.value.status_name == "GCV_ERR_RANGE"
     with pytest.raises(gcv.Error, match="pair 1: "):
         gcv.minkowski_sum_many([LARGE, huge], [LARGE, huge])
+
+
+def test_an_interrupt_while_the_other_thread_starts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Nothing goes on behind the caller's back."""
+    start = threading.Thread.start
+
+    def interrupted_start(thread: threading.Thread) -> None:
+        start(thread)
+        raise KeyboardInterrupt
+
+    begun: list[int] = []
+    ended: list[int] = []
+
+    def call(_options: object) -> None:
+        begun.append(1)
+        time.sleep(0.2)
+        ended.append(1)
+
+    monkeypatch.setattr(threading.Thread, "start", interrupted_start)
+    with pytest.raises(KeyboardInterrupt):
+        run(call, 1 << 20, "nearest", 0, 1, None)
+    assert begun == ended
+    time.sleep(0.3)
+    assert begun == ended
