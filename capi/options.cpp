@@ -98,12 +98,12 @@ void refuse_tolerance(const gcv_options& options, const char* what) {
   }
 }
 
-gcv_options read_inner_fit_options(const gcv_options* options) {
+gcv_options read_free_options(const gcv_options* options, const char* what) {
   const gcv_options known = read_options(options);
-  refuse_tolerance(known, "inner fits");
+  refuse_tolerance(known, what);
   if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {
     throw Error(Status::invalid_argument,
-                "options: leave_out has GCV_LEAVE_OUT_HOLES; inner fits have all of their holes");
+                "options: leave_out has GCV_LEAVE_OUT_HOLES; %s have all of their holes", what);
   }
   return known;
 }

@@ -21,8 +21,8 @@ void check_tolerance(double tolerance, const char* where);
 gcv_options read_options(const gcv_options* options);
 // Throws Error: invalid_argument for a tolerance. `what` is exact.
 void refuse_tolerance(const gcv_options& options, const char* what);
-// Refuses what inner fits do not take.
-gcv_options read_inner_fit_options(const gcv_options* options);
+// Refuses what free regions do not take. `what` are found with them.
+gcv_options read_free_options(const gcv_options* options, const char* what);
 
 SumOptions sum_options(const gcv_options& options);
 RegionOptions region_options(const gcv_options& options);

@@ -81,17 +81,36 @@ std::vector<PointVector> rings_of(const RoundedRegion& region, std::size_t k) {
   return rings;
 }
 
-// Not an edge: the second end of a segment, and a point, have none.
-std::vector<gcv_edge_source> public_sources(const gcv::ExactRegion& region) {
-  const std::vector<gcv::EdgeSource> sources = gcv::edge_sources(region);
-  std::vector<gcv_edge_source> result(sources.size());
-  std::transform(sources.begin(), sources.end(), result.begin(), gcv::capi::public_source);
+// Calls visit(k) for each exact vertex k that no edge leaves: the second end of a segment, and a
+// point.
+template <class Visit>
+void for_each_without_edge(const gcv::ExactRegion& region, Visit visit) {
   for (const RegionPart& part : region.parts) {
     if (!part.is_ring()) {
-      result[part.end() - 1] = {0, 0, 0};
+      visit(part.end() - 1);
     }
   }
+}
+
+// Edges that the border of a window makes have none.
+std::vector<gcv_edge_source> public_sources(const gcv::Region& region) {
+  const std::vector<gcv::EdgeSource> sources = gcv::edge_sources(region.exact);
+  std::vector<gcv_edge_source> result(sources.size());
+  for (std::size_t k = 0; k < sources.size(); ++k) {
+    const bool is_of_window = !region.owners.empty() && region.owner(k) == 0;
+    result[k] = is_of_window ? gcv_edge_source{0, 0, 0} : gcv::capi::public_source(sources[k]);
+  }
+  for_each_without_edge(region.exact, [&](std::size_t k) { result[k] = {0, 0, 0}; });
   return result;
+}
+
+std::vector<std::uint64_t> owners_of(const gcv::Region& region) {
+  std::vector<std::uint64_t> owners(region.exact.size());
+  for (std::size_t k = 0; k < owners.size(); ++k) {
+    owners[k] = region.owner(k);
+  }
+  for_each_without_edge(region.exact, [&](std::size_t k) { owners[k] = 0; });
+  return owners;
 }
 
 std::vector<Point> read_points(const double* xy, std::size_t count) {
@@ -165,20 +184,21 @@ gcv_status gcv_region_edge_sources(const gcv_region* region, gcv_edge_source* ou
     require(region, "region");
     fill(region->region.exact.size(), "edges", "out", out, capacity, required,
          [&](gcv_edge_source* to) {
-           const std::vector<gcv_edge_source> sources = public_sources(region->region.exact);
+           const std::vector<gcv_edge_source> sources = public_sources(region->region);
            std::copy(sources.begin(), sources.end(), to);
          });
   });
 }
 
-// Regions of two polygons have no owners.
 gcv_status gcv_region_edge_owners(const gcv_region* region, uint64_t* ids, size_t capacity,
                                   size_t* required) {
   return guarded<CallersFloatingPoint>([&] {
     require(region, "region");
-    const std::size_t count = region->region.exact.size();
-    fill(count, "edges", "ids", ids, capacity, required,
-         [&](std::uint64_t* to) { std::fill_n(to, count, 0); });
+    fill(region->region.exact.size(), "edges", "ids", ids, capacity, required,
+         [&](std::uint64_t* to) {
+           const std::vector<std::uint64_t> owners = owners_of(region->region);
+           std::copy(owners.begin(), owners.end(), to);
+         });
   });
 }
 

@@ -11,10 +11,10 @@ namespace {
 // The order of two points along an edge that both lie on.
 int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q, Tally& tally) {
   if (e.from.x != e.to.x) {
-    const int order = compare_sums(p.a.x, p.b.x, q.a.x, q.b.x, tally);
+    const int order = compare_x(p, q, tally);
     return e.from.x < e.to.x ? order : -order;
   }
-  const int order = compare_sums(p.a.y, p.b.y, q.a.y, q.b.y, tally);
+  const int order = compare_y(p, q, tally);
   return e.from.y < e.to.y ? order : -order;
 }
 

@@ -90,8 +90,8 @@ class NearestFree {
 
  private:
   static Point seen_from_first_vertices(const Operands& operands, const Point& p) {
-    const Point& a = operands.a.vertices.front();
-    const Point& b = operands.b.vertices.front();
+    const Point a = operands.a.origin();
+    const Point b = operands.b.origin();
     return {rounded_sum(p.x, -a.x, -b.x), rounded_sum(p.y, -a.y, -b.y)};
   }
 

@@ -48,7 +48,7 @@ class EscapeSearch {
   EscapeSearch(const WaysOut& ways, Tally& tally)
       : ways_(ways),
         tally_(tally),
-        cover_(ways.operands(), Solids::one, tally),
+        cover_(ways.operands(), tally),
         nearest_edges_(ways.operands(), cover_.search()),
         known_(ways.operands(), cover_.search().slack(), tally) {}
 

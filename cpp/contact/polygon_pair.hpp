@@ -74,31 +74,6 @@ struct PlacedPolygon : PreparedPolygon {
   }
 };
 
-// x + y + z, within a few u times itself.
-inline double rounded_sum(double x, double y, double z) {
-  const double first = x + y;
-  const double sum = first + z;
-  return sum + (rounding_error(x, y, first) + rounding_error(first, z, sum));
-}
-
-// The same of four numbers. Each is added to what the others are exactly: doubles of falling size
-// that do not overlap. Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
-// Robust Geometric Predicates, section 2.4.
-inline double rounded_sum(double w, double x, double y, double z) {
-  double parts[4] = {w, 0, 0, 0};  // from the smallest on
-  std::size_t count = 1;
-  for (const double number : {x, y, z}) {
-    double sum = number;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double larger = sum + parts[k];
-      parts[k] = rounding_error(sum, parts[k], larger);
-      sum = larger;
-    }
-    parts[count++] = sum;
-  }
-  return ((parts[0] + parts[1]) + parts[2]) + parts[3];
-}
-
 // A pair with both moved, or only B.
 struct PlacedPair {
   PlacedPair(const PolygonPair& polygons, const Point& translation)
@@ -121,11 +96,5 @@ struct PlacedPair {
             rounded_sum(q.y, -p.y, b.translation.y, -a.translation.y)};
   }
 };
-
-// Are two points the same?
-inline bool are_equal(const SumPoint& p, const SumPoint& q, Tally& tally) {
-  return compare_sums(p.a.x, p.b.x, q.a.x, q.b.x, tally) == 0 &&
-         compare_sums(p.a.y, p.b.y, q.a.y, q.b.y, tally) == 0;
-}
 
 }  // namespace gcv

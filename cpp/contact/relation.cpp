@@ -88,8 +88,8 @@ class OverlapSearch {
     const bool by_x = p.a.x != p_end.a.x;
     const bool forwards = by_x ? p.a.x < p_end.a.x : p.a.y < p_end.a.y;
     const auto compare = [&](const SumPoint& u, const SumPoint& v) {
-      const int order = by_x ? compare_sums(u.a.x, u.b.x, v.a.x, v.b.x, tally_)
-                             : compare_sums(u.a.y, u.b.y, v.a.y, v.b.y, tally_);
+      const int order = by_x ? compare_x(u, v, tally_)
+                             : compare_y(u, v, tally_);
       return forwards ? order : -order;
     };
     const int start_to_start = compare(q, p);

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "point.hpp"
@@ -23,11 +24,37 @@ inline Number rounding_error(Number x, Number y, Number sum) {
   return (x - (sum - y_part)) + (y - y_part);
 }
 
-// The number hi + lo. It is off by at most 5u^2 size. It is exact if `is_exact`.
+// x + y + z, within a few u times itself.
+inline double rounded_sum(double x, double y, double z) {
+  const double first = x + y;
+  const double sum = first + z;
+  return sum + (rounding_error(x, y, first) + rounding_error(first, z, sum));
+}
+
+// The same of four numbers. Each is added to what the others are exactly: doubles of falling size
+// that do not overlap. Source: Shewchuk, Adaptive Precision Floating-Point Arithmetic and Fast
+// Robust Geometric Predicates, section 2.4.
+inline double rounded_sum(double w, double x, double y, double z) {
+  double parts[4] = {w, 0, 0, 0};  // from the smallest on
+  std::size_t count = 1;
+  for (const double number : {x, y, z}) {
+    double sum = number;
+    for (std::size_t k = 0; k < count; ++k) {
+      const double larger = sum + parts[k];
+      parts[k] = rounding_error(sum, parts[k], larger);
+      sum = larger;
+    }
+    parts[count++] = sum;
+  }
+  return ((parts[0] + parts[1]) + parts[2]) + parts[3];
+}
+
+// The number hi + lo: a difference, or a sum of two or three differences. It is off by at most 14u^2
+// size. It is exact if `is_exact`.
 struct DoubleDouble {
   double hi;
   double lo;
-  double size;  // at least (1 - 3u) |number|, and at least |lo| / 3u
+  double size;  // at least (1 - 3u) |number|, and at least |lo| / 5u
   bool is_exact;
 
   [[nodiscard]] bool is_double() const { return is_exact && lo == 0; }
@@ -57,7 +84,11 @@ inline DoubleDoubleVector double_double_vector(const Point& from, const Point& t
 inline DoubleDoubleVector double_double_vector(const SumPoint& from, const SumPoint& to) {
   const DoubleDoubleVector a = double_double_vector(from.a, to.a);
   const DoubleDoubleVector b = double_double_vector(from.b, to.b);
-  return {a.x + b.x, a.y + b.y};
+  if (from.c == to.c) {
+    return {a.x + b.x, a.y + b.y};
+  }
+  const DoubleDoubleVector c = double_double_vector(from.c, to.c);
+  return {(a.x + b.x) + c.x, (a.y + b.y) + c.y};
 }
 
 // Is the rounded product exact? `error` is the rounding error that fused multiply-add gives.
@@ -77,8 +108,8 @@ struct DoubleDoubleCross {
 // sums.
 //
 // Error bound. Let mx and my be the sizes of w, and s = |vx| my + |vy| mx. Each product leaves out
-// lo times lo and the error of w: below 9u^2 of its share of s. The two other terms with a lo part
-// have roundings below 9u^2 of the share. The lo parts that are added up are together below 10u s,
+// lo times lo and the error of w: below 20u^2 of its share of s. The two other terms with a lo part
+// have roundings below 20u^2 of the share. The lo parts that are added up are together below 10u s,
 // so the roundings of the additions are below 40u^2 s. The bound 128u^2 s is more than all of
 // these. The products are far from underflow. So fused multiply-add gives their errors, except for
 // an absolute error far below the bound.

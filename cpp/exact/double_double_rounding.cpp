@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "double_double_rounding.hpp"
 
+#include <cassert>
 #include <cmath>
 
 #include "ball.hpp"
@@ -25,17 +26,17 @@ std::optional<RoundedNumber> certain(double hi, double lo, double error) {
   return std::nullopt;
 }
 
-// The number a + b + shift: within `error` of hi + lo.
+// The number a + b + c: within `error` of hi + lo.
 struct Origin {
   double hi;
   double lo;
   double error;
 
-  Origin(double a, double b, double shift) {
+  Origin(double a, double b, double c) {
     const double sum = a + b;
-    hi = sum + shift;
+    hi = sum + c;
     const double sum_error = rounding_error(a, b, sum);
-    const double hi_error = rounding_error(sum, shift, hi);
+    const double hi_error = rounding_error(sum, c, hi);
     lo = sum_error + hi_error;
     error = std::abs(rounding_error(sum_error, hi_error, lo));
   }
@@ -45,6 +46,16 @@ struct Origin {
     return certain(nearest, rounding_error(hi, lo, nearest), error);
   }
 };
+
+// One coordinate of a point of the sum, shifted. One of its third summand and the shift is 0.
+Origin origin_x(const SumPoint& point, const Point& shift) {
+  assert(point.c.x == 0 || shift.x == 0);
+  return {point.a.x, point.b.x, point.c.x + shift.x};
+}
+Origin origin_y(const SumPoint& point, const Point& shift) {
+  assert(point.c.y == 0 || shift.y == 0);
+  return {point.a.y, point.b.y, point.c.y + shift.y};
+}
 
 // The quotient n d / D. Nothing unless the product and the quotient are doubles exactly.
 std::optional<double> exact_way(const DoubleDoubleParameter& lambda, const DoubleDouble& d) {
@@ -104,8 +115,8 @@ std::optional<RoundedNumber> rounded(const Ball& ball) {
 }
 
 std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift) {
-  const auto x = Origin(point.a.x, point.b.x, shift.x).rounded();
-  const auto y = Origin(point.a.y, point.b.y, shift.y).rounded();
+  const auto x = origin_x(point, shift).rounded();
+  const auto y = origin_y(point, shift).rounded();
   return x && y ? std::optional(RoundedVertex{*x, *y}) : std::nullopt;
 }
 
@@ -113,12 +124,12 @@ std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shi
 std::optional<RoundedVertex> rounded_crossing(const SumEdge& s, const SumEdge& t,
                                               const Point& shift) {
   const DoubleDoubleParameter lambda = double_double_parameter(s, t);
-  const Origin sx(s.origin.a.x, s.origin.b.x, shift.x);
-  const Origin sy(s.origin.a.y, s.origin.b.y, shift.y);
-  const auto x = t.from.x == t.to.x   ? Origin(t.origin.a.x, t.origin.b.x, shift.x).rounded()
+  const Origin sx = origin_x(s.origin, shift);
+  const Origin sy = origin_y(s.origin, shift);
+  const auto x = t.from.x == t.to.x   ? origin_x(t.origin, shift).rounded()
                  : s.from.x == s.to.x ? sx.rounded()
                                       : rounded_coordinate(sx, lambda, two_sum(s.to.x, -s.from.x));
-  const auto y = t.from.y == t.to.y   ? Origin(t.origin.a.y, t.origin.b.y, shift.y).rounded()
+  const auto y = t.from.y == t.to.y   ? origin_y(t.origin, shift).rounded()
                  : s.from.y == s.to.y ? sy.rounded()
                                       : rounded_coordinate(sy, lambda, two_sum(s.to.y, -s.from.y));
   return x && y ? std::optional(RoundedVertex{*x, *y}) : std::nullopt;

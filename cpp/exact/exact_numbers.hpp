@@ -89,9 +89,13 @@ class Grid {
     include(p.x);
     include(p.y);
   }
+  void include(const SumPoint& p) {
+    include(p.a);
+    include(p.b);
+    include(p.c);
+  }
   void include(const SumEdge& edge) {
-    include(edge.origin.a);
-    include(edge.origin.b);
+    include(edge.origin);
     include(edge.from);
     include(edge.to);
   }
@@ -140,7 +144,19 @@ template <class Integer>
 Vector<Integer> vector_between(const Grid& grid, const SumPoint& from, const SumPoint& to) {
   const auto a = vector_between<Integer>(grid, from.a, to.a);
   const auto b = vector_between<Integer>(grid, from.b, to.b);
-  return {a.x + b.x, a.y + b.y};
+  const auto c = vector_between<Integer>(grid, from.c, to.c);
+  return {a.x + b.x + c.x, a.y + b.y + c.y};
+}
+
+// A point of the sum plus a shift, in units of the grid. Let b be the bits of the grid. Then each
+// coordinate is below 2^(b+2).
+template <class Integer>
+Vector<Integer> sum_of(const Grid& grid, const SumPoint& p, const Point& shift) {
+  const auto sum = [&](double a, double b, double c, double d) {
+    return Integer(grid.integer<Integer>(a) + grid.integer<Integer>(b) + grid.integer<Integer>(c) +
+                   grid.integer<Integer>(d));
+  };
+  return {sum(p.a.x, p.b.x, p.c.x, shift.x), sum(p.a.y, p.b.y, p.c.y, shift.y)};
 }
 
 template <class Integer>
@@ -170,8 +186,8 @@ auto with_integers(int bits, Tally& tally, Formula formula) {
 //
 //   o_s + lambda d_s  with  lambda = N / D,  N = (o_t - o_s) x d_t,  D = d_s x d_t.
 //
-// Let b be the bits of the grid. Then |o| < 2^(b+1), |d| < 2^(b+1), |D| < 2^(2b+3) and
-// |N| < 2^(2b+4). So |x| < 2^(3b+6). With the shift r, where |r| < 2^b, it is |x| < 2^(3b+7).
+// Let b be the bits of the grid. Then |o + r| < 2^(b+2) with the shift r, |d| < 2^(b+1),
+// |o_t - o_s| < 2^(b+3), |D| < 2^(2b+3) and |N| < 2^(2b+5). So |x| < 2^(3b+7).
 template <class Integer>
 struct HomogeneousPoint {
   Integer x;
@@ -194,11 +210,8 @@ HomogeneousPoint<Integer> crossing(const Grid& grid, const SumEdge& s, const Sum
     n = -n;
     d = -d;
   }
-  const Integer ox = grid.integer<Integer>(s.origin.a.x) + grid.integer<Integer>(s.origin.b.x) +
-                     grid.integer<Integer>(shift.x);
-  const Integer oy = grid.integer<Integer>(s.origin.a.y) + grid.integer<Integer>(s.origin.b.y) +
-                     grid.integer<Integer>(shift.y);
-  return {ox * d + n * ds.x, oy * d + n * ds.y, d};
+  const Vector<Integer> origin = sum_of<Integer>(grid, s.origin, shift);
+  return {origin.x * d + n * ds.x, origin.y * d + n * ds.y, d};
 }
 
 }  // namespace gcv

@@ -16,8 +16,7 @@ Point negated(const Point& p) { return {-p.x, -p.y}; }
 
 void include(Grid& grid, const ExactPoint& p) {
   if (p.is_sum) {
-    grid.include(p.sum.a);
-    grid.include(p.sum.b);
+    grid.include(p.sum);
   } else {
     grid.include(p.s);
     grid.include(p.t);
@@ -30,10 +29,8 @@ HomogeneousPoint<Integer> homogeneous(const Grid& grid, const ExactPoint& p, con
   if (!p.is_sum) {
     return crossing<Integer>(grid, p.s, p.t, shift);
   }
-  const auto sum = [&](double a, double b, double c) {
-    return grid.integer<Integer>(a) + grid.integer<Integer>(b) + grid.integer<Integer>(c);
-  };
-  return {sum(p.sum.a.x, p.sum.b.x, shift.x), sum(p.sum.a.y, p.sum.b.y, shift.y), Integer(1)};
+  const Vector<Integer> sum = sum_of<Integer>(grid, p.sum, shift);
+  return {sum.x, sum.y, Integer(1)};
 }
 
 template <class Integer>
@@ -53,7 +50,7 @@ Point nearest_point(const ExactPoint& p, const Point& shift, Tally& tally) {
 
 int compare_x(const ExactPoint& p, const Point& shift, double x, Tally& tally) {
   if (p.is_sum) {
-    return compare_sums(p.sum.a.x, p.sum.b.x, x, -shift.x, tally);
+    return compare_sums(p.sum.a.x, p.sum.b.x, p.sum.c.x, x, -shift.x, 0, tally);
   }
   const SumEdge& s = p.s.from.x != p.s.to.x ? p.s : p.t;
   const SumEdge& t = p.s.from.x != p.s.to.x ? p.t : p.s;
@@ -63,7 +60,7 @@ int compare_x(const ExactPoint& p, const Point& shift, double x, Tally& tally) {
 }
 int compare_y(const ExactPoint& p, const Point& shift, double y, Tally& tally) {
   if (p.is_sum) {
-    return compare_sums(p.sum.a.y, p.sum.b.y, y, -shift.y, tally);
+    return compare_sums(p.sum.a.y, p.sum.b.y, p.sum.c.y, y, -shift.y, 0, tally);
   }
   const SumEdge& s = p.s.from.y != p.s.to.y ? p.s : p.t;
   const SumEdge& t = p.s.from.y != p.s.to.y ? p.t : p.s;

@@ -19,21 +19,20 @@ namespace {
 // The grid of the numbers that the distance is computed from.
 void include(Grid& grid, const Gap& gap) {
   grid.include(gap.edge);
-  grid.include(gap.point.a);
-  grid.include(gap.point.b);
+  grid.include(gap.point);
 }
 
 // The square of a distance, n / w, in squares of the unit of the grid.
 //
 // Let b be the bits of the grid. Then a difference of two numbers is below 2^(b+1), and that of two
-// sums below 2^(b+2). So w < 2^(2b+3). The cross product is below 2^(2b+4), and n < 2^(4b+8).
+// sums below 2^(b+3). So w < 2^(2b+3). The cross product is below 2^(2b+5), and n < 2^(4b+10).
 template <class Integer>
 struct Square {
   Integer n;
   Integer w;
 };
 
-constexpr int square_bits(int grid_bits) { return 4 * grid_bits + 8; }
+constexpr int square_bits(int grid_bits) { return 4 * grid_bits + 10; }
 
 template <class Integer>
 Integer square(const Vector<Integer>& v) {
@@ -157,8 +156,7 @@ bool is_zero(const Gap& gap, Tally& tally) {
   const SumPoint& p = gap.edge.origin;
   const SumPoint& q = gap.point;
   return gap.is_to_line ? side(gap.edge, q, tally) == 0
-                        : compare_sums(p.a.x, p.b.x, q.a.x, q.b.x, tally) == 0 &&
-                              compare_sums(p.a.y, p.b.y, q.a.y, q.b.y, tally) == 0;
+                        : are_equal(p, q, tally);
 }
 
 // Rounding is monotonic: if the rounded gap is not the distance, it decides.
@@ -206,8 +204,10 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
       return {x.hi + 0.0, y.hi + 0.0};
     }
   }
-  const Grid grid{from.a, from.b, to.a, to.b};
-  return with_integers(root_bits(2 * grid.bits() + 6), tally, [&]<class Integer>() {
+  Grid grid;
+  grid.include(from);
+  grid.include(to);
+  return with_integers(root_bits(2 * grid.bits() + 7), tally, [&]<class Integer>() {
     const auto exact = vector_between<Integer>(grid, from, to);
     const Integer w = square(exact);
     const auto coordinate = [&](const Integer& x) {
@@ -238,7 +238,7 @@ double parameter_below(const SumEdge& s, const SumEdge& t, Tally& tally) {
   Grid grid;
   grid.include(s);
   grid.include(t);
-  return with_integers(rounding_bits(2 * grid.bits() + 4), tally, [&]<class Integer>() {
+  return with_integers(rounding_bits(2 * grid.bits() + 5), tally, [&]<class Integer>() {
     const auto dt = vector_between<Integer>(grid, t.from, t.to);
     const Integer n = cross(vector_between<Integer>(grid, s.origin, t.origin), dt);
     const Integer d = cross(vector_between<Integer>(grid, s.from, s.to), dt);
@@ -251,14 +251,14 @@ Point nearest_point(const SumPoint& point, Tally& tally, const Point& shift) {
     ++tally.filtered;
     return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
   }
-  const Grid grid{point.a, point.b, shift};
+  Grid grid{shift};
+  grid.include(point);
   return with_integers(rounding_bits(grid.bits() + 2), tally, [&]<class Integer>() {
-    const auto nearest = [&](double a, double b, double c) {
-      const Integer sum =
-          grid.integer<Integer>(a) + grid.integer<Integer>(b) + grid.integer<Integer>(c);
-      return nearest_double(sum, Integer(1), grid.exponent()).value + 0.0;
+    const auto [x, y] = sum_of<Integer>(grid, point, shift);
+    const auto nearest = [&](const Integer& coordinate) {
+      return nearest_double(coordinate, Integer(1), grid.exponent()).value + 0.0;
     };
-    return Point{nearest(point.a.x, point.b.x, shift.x), nearest(point.a.y, point.b.y, shift.y)};
+    return Point{nearest(x), nearest(y)};
   });
 }
 

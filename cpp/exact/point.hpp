@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Points and edges of two polygons and of their sum. The coordinates of the sum are never added up.
-// A point of the sum is the pair (a, b).
+// A point of the sum is the pair (a, b), or the triple (a, b, c).
 #pragma once
 
 #include <cassert>
@@ -50,10 +50,16 @@ inline std::size_t lexicographic_min(std::span<const Point> points) {
   return first_of(points, lexicographically_less);
 }
 
-// The point a + b of the sum.
+// The point a + b + c of the sum. c is not 0 only where a is a vertex of a member of a scene: it is
+// the position of that.
 struct SumPoint {
   Point a;
   Point b;
+  Point c{0, 0};
+
+  friend bool operator==(const SumPoint& p, const SumPoint& q) {
+    return p.a == q.a && p.b == q.b && p.c == q.c;
+  }
 };
 
 // An edge of the superset. It starts at `origin` and has the direction and length of to - from. dx

@@ -30,14 +30,15 @@ struct Approximation {
   double error;
 };
 
-// d x w for a direction d and an offset w = p + q. Each coordinate of d, p and q is a difference
-// that was rounded once. Let m = fl(|p| + |q|), and let capitals be the exact numbers.
+// d x w for a direction d and an offset w = (p + q) + r. Each coordinate of d, p, q and r is a
+// difference that was rounded once. Let m = fl((|p| + |q|) + |r|), and let capitals be the exact
+// numbers.
 //
-// It is |w - W| <= 2u(1 + 4u) m, |w| <= (1 + 3u) m and |d - D| <= u |d|.
-// So |dx wy - Dx Wy| <= 3u(1 + 8u) |dx| my.
-// The rounding of the product adds at most u(1 + 4u) |dx| my + eta / 2.
+// It is |w - W| <= 3u(1 + 8u) m, |w| <= (1 + 4u) m and |d - D| <= u |d|.
+// So |dx wy - Dx Wy| <= 4u(1 + 8u) |dx| my.
+// The rounding of the product adds at most u(1 + 8u) |dx| my + eta / 2.
 // The rounding of the subtraction adds at most u(1 + 8u) (|dx| my + |dy| mx).
-// All together is less than 6u (|dx| my + |dy| mx) + eta.
+// All together is less than 6u(1 + 8u) (|dx| my + |dy| mx) + eta.
 // The error computed here is 8u (...) + 8 eta. It has three roundings and underflows of its own,
 // and is larger all the same.
 Approximation cross_of_offset(double dx, double dy, const SumPoint& from, const SumPoint& to) {
@@ -45,13 +46,15 @@ Approximation cross_of_offset(double dx, double dy, const SumPoint& from, const 
   const double py = to.a.y - from.a.y;
   const double qx = to.b.x - from.b.x;
   const double qy = to.b.y - from.b.y;
-  const double value = dx * (py + qy) - dy * (px + qx);
-  const double size =
-      std::abs(dx) * (std::abs(py) + std::abs(qy)) + std::abs(dy) * (std::abs(px) + std::abs(qx));
+  const double rx = to.c.x - from.c.x;
+  const double ry = to.c.y - from.c.y;
+  const double value = dx * ((py + qy) + ry) - dy * ((px + qx) + rx);
+  const double size = std::abs(dx) * ((std::abs(py) + std::abs(qy)) + std::abs(ry)) +
+                      std::abs(dy) * ((std::abs(px) + std::abs(qx)) + std::abs(rx));
   return {value, cross_error * size + underflow_error};
 }
 
-// v x w with each coordinate rounded once. The bound is the same, with W = p and q = 0.
+// v x w with each coordinate rounded once. The bound is the same, with W = p, and q and r 0.
 Approximation cross_of_directions(double vx, double vy, double wx, double wy) {
   const double left = vx * wy;
   const double right = vy * wx;
@@ -115,7 +118,7 @@ std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleD
 }
 
 [[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
-  if (s.origin.a == point.a && s.origin.b == point.b) {
+  if (s.origin == point) {
     ++tally.fixed_width;
     return 0;
   }
@@ -164,6 +167,24 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
     return sign_of(difference);
   }
   return exact::compare_sums(a, b, c, d, tally);
+}
+
+// (a - d) + (b - e) + (c - f): each difference is rounded once, and their sums twice. So the result
+// is off by at most 3u(1 + 3u) (|a - d| + |b - e| + |c - f|).
+int compare_sums(double a, double b, double c, double d, double e, double f, Tally& tally) {
+  if (c == f) {
+    return compare_sums(a, b, d, e, tally);
+  }
+  const double x = a - d;
+  const double y = b - e;
+  const double z = c - f;
+  const double difference = (x + y) + z;
+  if (std::abs(difference) >
+      4 * unit_roundoff * ((std::abs(x) + std::abs(y)) + std::abs(z))) {
+    ++tally.filtered;
+    return sign_of(difference);
+  }
+  return exact::compare_sums(a, b, c, d, e, f, tally);
 }
 
 // lambda_t = N / D as in crossing(). Let N' and D' be exact, |N - N'| <= eN, |D - D'| <= eD and

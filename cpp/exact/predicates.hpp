@@ -27,6 +27,19 @@ int side(const SumEdge& s, const SumPoint& point, Tally& tally);
 
 // The sign of (a + b) - (c + d).
 int compare_sums(double a, double b, double c, double d, Tally& tally);
+// The sign of (a + b + c) - (d + e + f).
+int compare_sums(double a, double b, double c, double d, double e, double f, Tally& tally);
+// The sign of the difference of a coordinate of p and of q.
+inline int compare_x(const SumPoint& p, const SumPoint& q, Tally& tally) {
+  return compare_sums(p.a.x, p.b.x, p.c.x, q.a.x, q.b.x, q.c.x, tally);
+}
+inline int compare_y(const SumPoint& p, const SumPoint& q, Tally& tally) {
+  return compare_sums(p.a.y, p.b.y, p.c.y, q.a.y, q.b.y, q.c.y, tally);
+}
+// Are they the same point?
+inline bool are_equal(const SumPoint& p, const SumPoint& q, Tally& tally) {
+  return compare_x(p, q, tally) == 0 && compare_y(p, q, tally) == 0;
+}
 
 // The sign of lambda_t - lambda_r. The line of t crosses the line of s in o_s + lambda_t d_s, and
 // the line of r crosses that of q in o_q + lambda_r d_q. Neither may be parallel to the other.

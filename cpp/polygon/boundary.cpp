@@ -5,9 +5,11 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "cycle.hpp"
+#include "double_double.hpp"
 #include "error.hpp"
 #include "predicates.hpp"
 #include "simplicity.hpp"
@@ -223,8 +225,79 @@ const ChainIndex& Boundary::index() const {
 const Boundary::CoverIndex& Boundary::cover_index() const {
   return *cover_index_.get([this] {
     return std::make_unique<const CoverIndex>(
-        CoverIndex{build_chord_tree(relative_chain(), layout), Touches(vertices, layout)});
+        CoverIndex{build_chord_tree(relative_chain(), layout),
+                   solids.empty() ? Touches(vertices, layout) : touches_of_solids(), solid_boxes()});
   });
+}
+
+Touches Boundary::touches_of_solids() const {
+  Touches all(size());
+  for (Index solid = 0; solid < solids.size(); ++solid) {
+    const Index end = solid_end(solid);
+    if (end - solids[solid] > 1) {
+      const Index first = layout.begin(solids[solid]);
+      RingLayout rings(layout.end(solids[solid]) - first);
+      for (Index ring = solids[solid] + 1; ring < end; ++ring) {
+        rings.add(layout.end(ring) - layout.begin(ring));
+      }
+      const auto from = vertices.begin() + first;
+      all.add(Touches(PointVector(from, from + rings.size()), rings), first);
+    }
+  }
+  return all;
+}
+
+BoxTree Boundary::solid_boxes() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Box> boxes;
+  boxes.reserve(solids.size());
+  for (const Index ring : solids) {
+    Box box = empty_box;
+    for (Index i = layout.begin(ring); i < layout.end(ring); ++i) {
+      const Point p = relative(i);
+      box = hull_of(box, box_of(p, p));
+    }
+    boxes.push_back(boxes.empty() ? Box{-infinity, -infinity, infinity, infinity} : box);
+  }
+  return BoxTree(boxes);
+}
+
+Boundary joined(std::span<const PlacedBoundary> parts) {
+  Boundary all;
+  all.kind = parts.front().boundary.kind;
+  const Point& origin = parts.front().boundary.vertices.front();
+  const Point& at = parts.front().position;
+  bool is_first = true;
+  for (const auto& [boundary, position] : parts) {
+    const Index ring_count = is_first ? 0 : all.layout.ring_count();
+    if (boundary.solids.empty()) {
+      all.solids.push_back(ring_count);
+    }
+    for (const Index ring : boundary.solids) {
+      all.solids.push_back(ring_count + ring);
+    }
+    for (Index ring = 0; ring < boundary.layout.ring_count(); ++ring) {
+      const Index size = boundary.layout.end(ring) - boundary.layout.begin(ring);
+      if (is_first) {
+        all.layout = RingLayout(size);
+        is_first = false;
+      } else {
+        all.layout.add(size);
+      }
+    }
+    all.vertices.insert(all.vertices.end(), boundary.vertices.begin(), boundary.vertices.end());
+    all.corners.insert(all.corners.end(), boundary.corners.begin(), boundary.corners.end());
+    all.positions.insert(all.positions.end(), boundary.size(), position);
+    for (const Point& p : boundary.vertices) {
+      all.relatives.push_back({rounded_sum(p.x, position.x, -origin.x, -at.x),
+                               rounded_sum(p.y, position.y, -origin.y, -at.y)});
+    }
+  }
+  if (all.solids.size() == 1) {
+    all.solids.clear();
+  }
+  all.bounds = box_of(all.relatives);
+  return all;
 }
 
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
@@ -255,6 +328,9 @@ Boundary Boundary::complement() const {
     }
   }
   result.kind = kind == Kind::outer ? Kind::hole : Kind::outer;
+  for (Index ring = 0; layout.ring_count() > 1 && ring < layout.ring_count(); ++ring) {
+    result.solids.push_back(ring);
+  }
   result.bounds = bounds;
   result.lexicographic_min = lexicographic_min;
   result.lexicographic_max =

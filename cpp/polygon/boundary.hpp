@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "box.hpp"
+#include "box_tree.hpp"
 #include "buffer.hpp"
 #include "chain_tree.hpp"
 #include "chord_tree.hpp"
@@ -51,10 +52,24 @@ struct Boundary {
     bool convex;          // is the solid strictly convex here? Else it is strictly reflex
   };
   Buffer<Corner> corners;
+
+  // Where boundaries are joined at positions: that of each vertex, which is added to it exactly, and
+  // each vertex at its position, relative to vertex 0 at its own, rounded.
+  PointVector positions;
+  PointVector relatives;
+
+  // The first ring of each solid, where there are several: the outside of the first ring, and others
+  // in no order. They may overlap. Empty if all rings bound one solid.
+  std::vector<Index> solids;
+  // The ring behind those of a solid.
+  [[nodiscard]] Index solid_end(Index solid) const {
+    return solid + 1 < solids.size() ? solids[solid + 1] : layout.ring_count();
+  }
+
   bool is_convex = false;   // all vertices are
   Kind kind = Kind::outer;  // of the first ring
 
-  Box bounds{};
+  Box bounds{};  // of the vertices, or of `relatives`
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;
 
@@ -62,9 +77,20 @@ struct Boundary {
   [[nodiscard]] Index next(Index i) const { return layout.next(i); }
   [[nodiscard]] Index previous(Index i) const { return layout.previous(i); }
 
+  [[nodiscard]] Point position(Index i) const {
+    return positions.empty() ? Point{0, 0} : positions[i];
+  }
+  // What is subtracted from `bounds` to make it relative to vertex 0.
+  [[nodiscard]] Point origin() const {
+    return positions.empty() ? vertices.front() : Point{0, 0};
+  }
+
   // Vertex i relative to vertex 0, rounded. Searches filter with it, so that they filter as well
-  // far from the origin as near it. Each coordinate is off by at most u times its size.
+  // far from the origin as near it. Each coordinate is off by at most 2u times its size.
   [[nodiscard]] Point relative(Index i) const {
+    if (!relatives.empty()) {
+      return relatives[i];
+    }
     const Point& p = vertices[i];
     const Point& origin = vertices.front();
     return {p.x - origin.x, p.y - origin.y};
@@ -89,14 +115,16 @@ struct Boundary {
   // What sums with holes and exact fits take beside it. Made on first use, too.
   struct CoverIndex {
     ChordTree chords;
-    Touches touches;  // where its rings touch
+    Touches touches;  // where rings of one solid touch
+    BoxTree solids;   // relative boxes of the solids, if there are several; the first is the plane
   };
   [[nodiscard]] const CoverIndex& cover_index() const;
 
   // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
   // edge points the other way. O(n): the line directions are sorted once for both.
   static Boundary reflected(std::shared_ptr<const Boundary> ring);
-  // The complement: the solid is on the other side of all rings. The same numbers.
+  // The complement: the solid is on the other side of all rings. The same numbers. If there are
+  // several rings, each bounds a solid of its own.
   [[nodiscard]] Boundary complement() const;
 
  private:
@@ -106,8 +134,19 @@ struct Boundary {
   Lazy<std::unique_ptr<const CoverIndex>> cover_index_;
 
   [[nodiscard]] EdgeChain relative_chain() const;
+  [[nodiscard]] Touches touches_of_solids() const;
+  [[nodiscard]] BoxTree solid_boxes() const;
   friend Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
 };
+
+// A boundary at a position.
+struct PlacedBoundary {
+  const Boundary& boundary;
+  Point position;
+};
+
+// All of their solids as one boundary. The first one must be the outside of a ring, at least one.
+Boundary joined(std::span<const PlacedBoundary> parts);
 
 // An outer ring and its holes as one.
 Boundary joined(const Boundary& outer, std::span<const Boundary> holes);

@@ -10,7 +10,7 @@
 
 namespace gcv {
 
-Touches::Touches(const PointVector& points, const RingLayout& layout) {
+Touches::Touches(const PointVector& points, const RingLayout& layout) : size_(layout.size()) {
   if (layout.ring_count() == 1) {
     return;
   }
@@ -86,6 +86,30 @@ Touches::Touches(const PointVector& points, const RingLayout& layout) {
       touch.leaving.push_back(edge);
       touch.arriving.push_back(edge);
     }
+  }
+}
+
+void Touches::add(const Touches& others, Index first) {
+  if (others.empty()) {
+    return;
+  }
+  if (empty()) {
+    at_.assign(size_, none);
+    on_.resize(size_);
+  }
+  const auto moved = [first](std::vector<Index> numbers) {
+    for (Index& number : numbers) {
+      number += first;
+    }
+    return numbers;
+  };
+  const auto known = static_cast<Index>(all_.size());
+  for (const Touch& touch : others.all_) {
+    all_.push_back({moved(touch.vertices), moved(touch.leaving), moved(touch.arriving)});
+  }
+  for (Index i = 0; i < others.size_; ++i) {
+    at_[first + i] = others.at_[i] == none ? none : known + others.at_[i];
+    on_[first + i] = moved(others.on_[i]);
   }
 }
 

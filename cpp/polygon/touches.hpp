@@ -40,8 +40,13 @@ struct Touch {
 class Touches {
  public:
   Touches() = default;
+  // None yet, of so many vertices.
+  explicit Touches(Index size) : size_(size) {}
   // O(n log n) where the boxes of few edges overlap.
   Touches(const PointVector& points, const RingLayout& layout);
+
+  // Those of the vertices from `first` on.
+  void add(const Touches& others, Index first);
 
   [[nodiscard]] bool empty() const { return all_.empty(); }
   [[nodiscard]] const std::vector<Touch>& all() const { return all_; }
@@ -58,6 +63,7 @@ class Touches {
  private:
   static constexpr Index none = 0xffffffff;
 
+  Index size_ = 0;
   std::vector<Touch> all_;
   std::vector<Index> at_;               // of each vertex; empty if there are none
   std::vector<std::vector<Index>> on_;  // of each edge; likewise

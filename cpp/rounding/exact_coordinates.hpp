@@ -16,8 +16,9 @@ class ExactVertex {
   ExactVertex(const Boundary& a, const Boundary& b, const RingVertex& vertex, const Point& shift)
       : vertex_(vertex), shift_(shift) {
     if (vertex_.is_sum()) {
-      sum_ = {a.vertices[vertex_.i()], b.vertices[vertex_.j()]};
-      grid_ = Grid{sum_.a, sum_.b, shift_};
+      sum_ = point_of(a, b, {vertex_.i(), vertex_.j()});
+      grid_ = Grid{shift_};
+      grid_.include(sum_);
     } else {
       s_ = coordinates(a, b, vertex_.arriving());
       t_ = coordinates(a, b, vertex_.leaving());
@@ -45,11 +46,8 @@ class ExactVertex {
     if (!vertex_.is_sum()) {
       return crossing<Integer>(grid_, s_, t_, shift_);
     }
-    const auto add = [&](double p, double q, double r) {
-      return Integer(grid_.integer<Integer>(p) + grid_.integer<Integer>(q) +
-                     grid_.integer<Integer>(r));
-    };
-    return {add(sum_.a.x, sum_.b.x, shift_.x), add(sum_.a.y, sum_.b.y, shift_.y), Integer(1)};
+    const Vector<Integer> sum = sum_of<Integer>(grid_, sum_, shift_);
+    return {sum.x, sum.y, Integer(1)};
   }
 
  private:

@@ -62,19 +62,20 @@ ExactOrder::Placed ExactOrder::placed(const RingVertex& vertex) const {
   return {vertex, rounded_vertex(a_, b_, vertex, shift_, tally_)};
 }
 
-// x or y, if it is a sum of two doubles: that of a sum of vertices, x of a crossing with an upright
+// x or y, if it is a sum of doubles: that of a sum of vertices, x of a crossing with an upright
 // edge, y of one with a level edge.
 std::optional<ExactOrder::Sum> ExactOrder::sum_of(const RingVertex& v, double Point::*axis) const {
   if (!(shift_ == Point{0, 0})) {
     return std::nullopt;
   }
   if (v.is_sum()) {
-    return Sum{a_.vertices[v.i()].*axis, b_.vertices[v.j()].*axis};
+    const SumPoint point = point_of(a_, b_, {v.i(), v.j()});
+    return Sum{point.a.*axis, point.b.*axis, point.c.*axis};
   }
   for (const EdgeName& edge : {v.arriving(), v.leaving()}) {
     const SumEdge line = coordinates(a_, b_, edge);
     if (line.from.*axis == line.to.*axis) {
-      return Sum{line.origin.a.*axis, line.origin.b.*axis};
+      return Sum{line.origin.a.*axis, line.origin.b.*axis, line.origin.c.*axis};
     }
   }
   return std::nullopt;
@@ -84,7 +85,7 @@ int ExactOrder::compare_exactly(const Placed& p, const Placed& q, double Point::
   const std::optional<Sum> x = sum_of(p.vertex, axis);
   const std::optional<Sum> y = x ? sum_of(q.vertex, axis) : std::nullopt;
   if (y) {
-    return compare_sums(x->a, x->b, y->a, y->b, tally_);
+    return compare_sums(x->a, x->b, x->c, y->a, y->b, y->c, tally_);
   }
   ++tally_.rational;
   const auto fraction_of = [&](const Placed& v) {

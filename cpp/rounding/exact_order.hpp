@@ -44,6 +44,7 @@ class ExactOrder {
   struct Sum {
     double a;
     double b;
+    double c;
   };
   [[nodiscard]] std::optional<Sum> sum_of(const RingVertex& v, double Point::*axis) const;
   [[nodiscard]] int compare_exactly(const Placed& p, const Placed& q, double Point::*axis) const;

@@ -74,7 +74,7 @@ std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const 
 int side_of_vertex(const Boundary& a, const Boundary& b, const SumEdge& line, const RingVertex& v,
                    Tally& tally) {
   if (v.is_sum()) {
-    return side(line, {a.vertices[v.i()], b.vertices[v.j()]}, tally);
+    return side(line, point_of(a, b, {v.i(), v.j()}), tally);
   }
   const SumEdge s = coordinates(a, b, v.arriving());
   const SumEdge t = coordinates(a, b, v.leaving());
@@ -88,11 +88,8 @@ int side_of_vertex(const Boundary& a, const Boundary& b, const SumEdge& line, co
   grid.include(t);
   return with_integers(4 * grid.bits() + 9, tally, [&]<class Integer>() {
     const auto p = crossing<Integer>(grid, s, t, {0, 0});
-    const auto sum = [&](double x, double y) {
-      return Integer(grid.integer<Integer>(x) + grid.integer<Integer>(y));
-    };
-    const Vector<Integer> offset{p.x - p.w * sum(line.origin.a.x, line.origin.b.x),
-                                 p.y - p.w * sum(line.origin.a.y, line.origin.b.y)};
+    const Vector<Integer> origin = sum_of<Integer>(grid, line.origin, {0, 0});
+    const Vector<Integer> offset{p.x - p.w * origin.x, p.y - p.w * origin.y};
     return sign(cross(vector_between<Integer>(grid, line.from, line.to), offset));
   });
 }

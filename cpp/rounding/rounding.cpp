@@ -136,7 +136,7 @@ std::uint64_t count_missing(const PointVector& points, PointVector others) {
                                                const RingVertex& v, const Point& shift,
                                                Tally& tally) {
   const std::optional<RoundedVertex> in_doubles =
-      v.is_sum() ? rounded_sum({a.vertices[v.i()], b.vertices[v.j()]}, shift)
+      v.is_sum() ? rounded_sum(point_of(a, b, {v.i(), v.j()}), shift)
                  : rounded_crossing(coordinates(a, b, v.arriving()), coordinates(a, b, v.leaving()),
                                     shift);
   if (in_doubles) {
@@ -186,7 +186,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
                                                       Task::portion);
   const Boundary& a = *ring.a.ring;
   const Boundary& b = *ring.b.ring;
-  const bool is_unshifted = ring.shift == Point{0, 0};
+  const bool is_unshifted = ring.shift == Point{0, 0} && a.positions.empty();
   const auto place_portion = [&](std::size_t number) {
     Portion& portion = portions[number];
     const std::size_t first = number * Task::portion;

@@ -122,6 +122,10 @@ class Numbering {
 bool directions_are_repeated(const Operands& operands, std::size_t times) {
   const Index a = operands.a.size();
   const Index b = operands.b.size();
+  // Chains are found by differences of vertices, and their places by sums of two.
+  if (!operands.a.positions.empty()) {
+    return false;
+  }
   return std::min(a, b) >= limits::fewest_edges_with_equal_chains &&
          times * operands.directions.half_turn <= std::size_t{a} + b;
 }

@@ -31,10 +31,9 @@ void LineSearch::go_to(const PairEdge& edge) {
   matches_.clear();
   Index right = b_.size();
   for (Index k = 0; k < a_.size(); ++k) {
-    const Point& p = operands_.a.vertices[a_.representative(k)];
+    const Index i = a_.representative(k);
     int order = -1;
-    while (right > 0 && (order = side(line, {p, operands_.b.vertices[b_.representative(right - 1)]},
-                                      tally)) >= 0) {
+    while (right > 0 && (order = side(line, operands_.point({i, b_.representative(right - 1)}), tally)) >= 0) {
       --right;
       if (order == 0) {
         matches_.push_back({k, right});

@@ -23,8 +23,7 @@ class Rasteriser {
  public:
   Rasteriser(const Boundary& solid, const Point& size, double margin)
       : solid_(solid),
-        corner_{solid.bounds.x0 - solid.vertices.front().x,
-                solid.bounds.y0 - solid.vertices.front().y},
+        corner_{solid.bounds.x0 - solid.origin().x, solid.bounds.y0 - solid.origin().y},
         size_(size),
         cells_a_unit_{1 / size.x, 1 / size.y},
         margin_(margin),

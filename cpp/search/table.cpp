@@ -85,7 +85,7 @@ struct BoxedEdge {
 // Of the box of a polygon, relative to its vertex 0.
 Point middle_of(const Boundary& polygon) {
   const Box& box = polygon.bounds;
-  const Point& origin = polygon.vertices.front();
+  const Point origin = polygon.origin();
   return {((box.x0 - origin.x) + (box.x1 - origin.x)) / 2,
           ((box.y0 - origin.y) + (box.y1 - origin.y)) / 2};
 }

@@ -149,8 +149,8 @@ class TreeProduct {
 
     [[nodiscard]] bool meets_again(const Node& a, const Node& b) {
       return met->meet(a.chain, b.chain,
-                       {superset.operands_.a.vertices[superset.a_.boxes.first_edge(a.place)],
-                        superset.operands_.b.vertices[superset.b_.boxes.first_edge(b.place)]});
+                       superset.operands_.point({superset.a_.boxes.first_edge(a.place),
+                                                 superset.b_.boxes.first_edge(b.place)}));
     }
 
     void descend(const Node& a, const Node& b) {

@@ -122,6 +122,18 @@ class BlockedDirections {
              (angle > 0 && angle <= arc.length);
     });
   }
+  // Are the directions next to it, counter-clockwise, blocked?
+  [[nodiscard]] bool hold_left_of(Rank rank) const {
+    return any([&](const DirectionArc& arc) {
+      return directions_.angle(arc.from, rank) < arc.length;
+    });
+  }
+  // Is every direction blocked but single ones?
+  [[nodiscard]] bool hold_almost_all() const {
+    return !arcs_.empty() && std::all_of(arcs_.begin(), arcs_.end(), [&](const DirectionArc& arc) {
+      return hold_left_of((arc.from + arc.length) % (2 * directions_.half_turn));
+    });
+  }
   // Is every direction blocked?
   [[nodiscard]] bool hold_all() const {
     return !arcs_.empty() && std::all_of(arcs_.begin(), arcs_.end(), [&](const DirectionArc& arc) {

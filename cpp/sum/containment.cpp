@@ -44,8 +44,7 @@ class PointInRings {
 
  private:
   [[nodiscard]] int side_of(const VertexSum& sum) const {
-    return side(places_.line().at, {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]},
-                tally_);
+    return side(places_.line().at, operands_.point(sum), tally_);
   }
 
   const Operands& operands_;
@@ -63,7 +62,6 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
   Containment result{false, false};
   const Boundary& a = operands.a;
   const Boundary& b = operands.b;
-  const Box box_a = a.cover_index().chords.blocks.front().boxes.box(0);
   const Box box_b = b.cover_index().chords.blocks.front().boxes.box(0);
   const auto add = [&](const PointInRings& rings, bool inside) {
     if (rings.holds_germ() == inside) {
@@ -71,27 +69,25 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
       result.of_place = result.of_place || !rings.is_on_ring();
     }
   };
-  for (Index ring = 0; ring < a.layout.ring_count(); ++ring) {
-    const Index first = a.layout.begin(ring);
+  // The first vertex of B is at 0.
+  const Box near{around.x0 - box_b.x1, around.y0 - box_b.y1, around.x1 - box_b.x0,
+                 around.y1 - box_b.y0};
+  a.cover_index().solids.for_each_near(near, [&](Index solid) {
+    const Index first = a.layout.begin(a.solids[solid]);
     const Point p = a.relative(first);
-    if (!are_apart(around, {p.x + box_b.x0, p.y + box_b.y0, p.x + box_b.x1, p.y + box_b.y1})) {
+    if (!are_apart(near, {p.x, p.y, p.x, p.y})) {
       PointInRings rings(operands, places, place, tally);
       for (Index j = 0; j < b.size(); ++j) {
         rings.pass(operands.corner(first, j));
       }
       add(rings, true);
     }
-    // The first ring has its solid outside.
-    const Point q = b.relative(0);
-    const Box of_a{box_a.x0 + q.x, box_a.y0 + q.y, box_a.x1 + q.x, box_a.y1 + q.y};
-    if (ring == 0 || !are_apart(around, of_a)) {
-      PointInRings rings(operands, places, place, tally);
-      for (Index i = first; i < a.layout.end(ring); ++i) {
-        rings.pass(operands.translated(i, 0));
-      }
-      add(rings, ring != 0);
+    PointInRings rings(operands, places, place, tally);
+    for (Index i = first; i < a.layout.end(a.solid_end(solid) - 1); ++i) {
+      rings.pass(operands.translated(i, 0));
     }
-  }
+    add(rings, solid != 0);
+  });
   return result;
 }
 

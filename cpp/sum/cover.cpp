@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "box.hpp"
@@ -34,7 +35,7 @@ Interval EdgeCover::parameters_of(const RelativeLine& line, const Place& place) 
 
 Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& place) const {
-  if (solids_ == Solids::one) {
+  if (operands_.a.solids.empty()) {
     return {false, false};
   }
   const Interval parameters = parameters_of(line, place);
@@ -104,6 +105,9 @@ void EdgeCover::for_each_slide(const PlacesOnLine& places, const WitnessSearch::
 
 std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeLine& line,
                                      double from, const Place& start) {
+  if (seen_ < operands_.a.size()) {
+    return start;  // for witnesses of all are searched
+  }
   const double t = search_.reach(from);
   if (t == 1) {
     return std::nullopt;
@@ -201,8 +205,7 @@ bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const Vert
   if (place.is_sum && place.sum == sum) {
     return true;
   }
-  const SumPoint point{operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-  return side(places.line().at, point, tally_) == 0 && places.compare(place, Place::of(sum)) == 0;
+  return side(places.line().at, operands_.point(sum), tally_) == 0 && places.compare(place, Place::of(sum)) == 0;
 }
 
 bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place,
@@ -217,16 +220,34 @@ bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place
   return false;
 }
 
+void EdgeCover::see(double from, double to) {
+  pairs_ = search_.pairs_near(from, to);
+  if (seen_ < operands_.a.size()) {
+    seen_pairs_.clear();
+    std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(seen_pairs_),
+                 [&](const WitnessSearch::Pair& pair) { return pair.i < seen_; });
+    pairs_ = seen_pairs_;
+  }
+}
+
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
   const Interval parameters = parameters_of(line, place);
-  search_.pairs_near(parameters.lo, parameters.hi);
-  Surroundings result{false, BlockedDirections(operands_.directions)};
+  see(parameters.lo, parameters.hi);
+  Surroundings result{false, BlockedDirections(operands_.directions),
+                      BlockedDirections(operands_.directions)};
+  bool is_inside = false;  // is the pair no border's?
   const auto contact = [&](const ConesOfPoint& cones_a, const ConesOfPoint& cones_b) {
     result.is_covered = cones_.overlap(cones_a, cones_b);
     if (!result.is_covered) {
       cones_a.for_each([&](const DirectionArc& a) {
-        cones_b.for_each([&](const DirectionArc& b) { result.blocked.add(cones_.sum(a, b)); });
+        cones_b.for_each([&](const DirectionArc& b) {
+          const DirectionArc sum = cones_.sum(a, b);
+          result.blocked.add(sum);
+          if (is_inside) {
+            result.blocked_inside.add(sum);
+          }
+        });
       });
     }
   };
@@ -248,9 +269,10 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
     return std::any_of(touching.begin(), touching.end(),
                        [&](Index vertex) { return is_at(places, place, sum(vertex)); });
   };
-  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+  for (const WitnessSearch::Pair& pair : pairs_) {
     const Index i = pair.i;
     const Index j = pair.j;
+    is_inside = border_ != nullptr && i < border_->first;
     if (is_at(places, place, {i, j})) {
       contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
     } else if (lies_on(operands_.translated(i, j))) {
@@ -283,7 +305,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
       furthest = exit;
     }
   };
-  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+  for (const WitnessSearch::Pair& pair : pairs_) {
     if (const std::optional<Sides> sides = sides_of(pair)) {
       const bool holds =
           std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
@@ -312,7 +334,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
                              const Place& place) {
-  search_.pairs_near(parameters_of(line, place).lo, 2);
+  see(parameters_of(line, place).lo, 2);
   Place first = places.end();
   const auto come = [&](const Place& change) {
     if (places.compare(change, first) < 0) {
@@ -320,7 +342,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     }
   };
   std::optional<Place> germ_exit;
-  for (const WitnessSearch::Pair& pair : search_.pairs()) {
+  for (const WitnessSearch::Pair& pair : pairs_) {
     for_each_slide(places, pair, [&](const Slide& slide) {
       if (places.compare(Place::of(slide.from), place) > 0) {
         come(Place::of(slide.from));

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "contacts.hpp"
@@ -23,14 +24,14 @@
 #include "contributing_vertices.hpp"
 #include "places_on_line.hpp"
 #include "walked_lines.hpp"
+#include "window_border.hpp"
 #include "witness_search.hpp"
 
 namespace gcv {
 
-// The solid of B is connected. That of A may be several solids, one for each of its rings. Then one
-// of them may lie inside x - B, or that inside one of them, where their boundaries do not meet.
-enum class Solids : std::uint8_t { one, several };
-
+// The solid of B is connected. Those of A may be several. Then one of them may lie inside x - B, or
+// that inside one of them, where their boundaries do not meet.
+//
 // Walks along superset edges. Takes what it finds to a visitor:
 //   known_runs(places, runs): adds where rings that are known pass along s;
 //   ring(places, from): a ring passes along s from that place on: returns where it leaves s;
@@ -45,10 +46,12 @@ class EdgeCover {
     Interval parameters{};  // of all its places
   };
 
-  EdgeCover(const Operands& operands, Solids solids, Tally& tally)
+  // With the border of a window, fits are those of what is free without it, in the window.
+  EdgeCover(const Operands& operands, Tally& tally, const WindowBorder* border = nullptr)
       : operands_(operands),
-        solids_(solids),
-        touches_a_(solids == Solids::one ? operands.a.cover_index().touches : no_touches_),
+        border_(border),
+        seen_(operands.a.size()),
+        touches_a_(operands.a.cover_index().touches),
         touches_b_(operands.b.cover_index().touches),
         cones_(operands, touches_a_, touches_b_),
         tally_(tally),
@@ -60,6 +63,7 @@ class EdgeCover {
   struct Surroundings {
     bool is_covered;  // it lies in the open sum
     BlockedDirections blocked;
+    BlockedDirections blocked_inside;  // by contacts that the border of a window does not make
   };
 
   // Calls the visitor for all that the open sum leaves of s, from the start of s to its end.
@@ -69,6 +73,9 @@ class EdgeCover {
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
     search_.begin(line);
     std::optional<Place> segment;  // where one has begun
+    const bool has_points = border_ == nullptr || !border_->makes(s);
+    const bool has_segments =
+        has_points && (border_ == nullptr || !border_->holds(operands_, places));
     runs_.clear();
     visitor.known_runs(places, runs_);
     for (Run& run : runs_) {
@@ -98,7 +105,7 @@ class EdgeCover {
         visitor.segment(places, *segment, *place);
         segment.reset();
       }
-      if (!surroundings.is_covered && surroundings.blocked.hold_all()) {
+      if (has_points && is_point(surroundings)) {
         visitor.point(places, *place);
       }
       if (is_end) {
@@ -107,7 +114,7 @@ class EdgeCover {
       if (is_ring) {
         place = leave_ring(places, line, visitor.ring(places, *place));
       } else if (leads_on) {
-        if (!segment) {
+        if (!segment && has_segments) {
           segment = place;
         }
         place = next_change(places, line, *place);
@@ -115,6 +122,44 @@ class EdgeCover {
         place = leave_cover(places, line, *place, containment.of_germ);
       }
     }
+  }
+
+  // The same for the segments alone of an edge that lies on the border of the window, which is not
+  // seen.
+  template <class Visitor>
+  void walk_along_border(const PairEdge& s, Visitor& visitor) {
+    const PlacesOnLine places(operands_, s, tally_);
+    const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
+    search_.begin(line);
+    seen_ = border_->first;
+    std::optional<Place> segment;
+    std::optional<Place> place = places.start();
+    while (place) {
+      const Surroundings surroundings = look(places, line, *place);
+      const Containment containment = contained_at(places, line, *place);
+      const bool is_end = places.compare(*place, places.end()) >= 0;
+      const bool leads_on = !is_end && !surroundings.is_covered && !containment.of_place &&
+                            !surroundings.blocked.holds(s.rank);
+      const bool is_segment = leads_on && surroundings.blocked.hold_right_of(s.rank);
+      if (segment && !is_segment) {
+        const auto [from, to] = border_->clipped(operands_, places, {*segment, *place});
+        if (const int order = places.compare(from, to); order < 0) {
+          visitor.segment(places, from, to);
+        } else if (order == 0) {
+          visitor.point(places, from);
+        }
+        segment.reset();
+      }
+      if (is_end) {
+        break;
+      }
+      if (is_segment && !segment) {
+        segment = place;
+      }
+      place = leads_on ? next_change(places, line, *place)
+                       : leave_cover(places, line, *place, containment.of_germ);
+    }
+    seen_ = operands_.a.size();
   }
 
   // The same for all superset edges of the half-plane of directions that begins with that rank.
@@ -127,8 +172,14 @@ class EdgeCover {
         first,
         [&](const PairEdge& s) {
           ++edges;
-          if (!lines.hold(s)) {
+          if (border_ != nullptr && border_->makes(s)) {
             walk(s, visitor);
+          } else if (!lines.hold(s)) {
+            walk(s, visitor);
+            if (border_ != nullptr &&
+                border_->holds(operands_, PlacesOnLine(operands_, s, tally_))) {
+              walk_along_border(s, visitor);
+            }
           }
         },
         pass);
@@ -151,7 +202,7 @@ class EdgeCover {
                                 places.line().at.dy};
         search_.begin(line);
         const Surroundings surroundings = look(places, line, places.start());
-        if (!surroundings.is_covered && surroundings.blocked.hold_all()) {
+        if (is_point(surroundings) && !contained_at(places, line, places.start()).of_place) {
           visitor.point(places, places.start());
         }
       }
@@ -188,7 +239,14 @@ class EdgeCover {
                                        const WitnessSearch::Pair& pair) const;
   [[nodiscard]] bool is_at(const PlacesOnLine& places, const Place& place,
                            const VertexSum& sum) const;
-  // The contacts at a place. Leaves the pairs of edges near it in the search.
+  // Is the place an isolated point of F? With a border, also a point of a segment there.
+  [[nodiscard]] bool is_point(const Surroundings& surroundings) const {
+    return !surroundings.is_covered && surroundings.blocked.hold_all() &&
+           (border_ == nullptr || surroundings.blocked_inside.hold_almost_all());
+  }
+  // Finds the pairs of edges near places from one parameter to another.
+  void see(double from, double to);
+  // The contacts at a place. Leaves the pairs of edges near it in pairs_.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
@@ -228,13 +286,15 @@ class EdgeCover {
   void for_each_slide(const PlacesOnLine& places, const WitnessSearch::Pair& pair, Visit visit);
 
   const Operands& operands_;
-  Solids solids_;
-  const Touches no_touches_;
-  const Touches& touches_a_;  // of solids that are one
+  const WindowBorder* border_;
+  Index seen_;  // vertices of A from this one on are not seen
+  const Touches& touches_a_;
   const Touches& touches_b_;
   Cones cones_;
   Tally& tally_;
   WitnessSearch search_;
+  std::span<const WitnessSearch::Pair> pairs_;
+  std::vector<WitnessSearch::Pair> seen_pairs_;  // if some are not
   std::vector<Run> runs_;  // of the edge that is walked
 };
 

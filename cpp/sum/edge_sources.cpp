@@ -34,7 +34,7 @@ class CoincidingEdges {
     EdgeName first = leaving;
     superset_.search(piece, [&](Index i, Index j) {
       superset_.for_each_edge(i, j, [&](const PairEdge& e) {
-        if (e.rank == leaving.rank && key(e) < key(first) && are_equal(operands_.end(e), end) &&
+        if (e.rank == leaving.rank && key(e) < key(first) && are_equal(operands_.end(e), end, tally_) &&
             side(line, operands_.start(e), tally_) != away) {
           first = e;
         }
@@ -44,11 +44,6 @@ class CoincidingEdges {
   }
 
  private:
-  bool are_equal(const SumPoint& p, const SumPoint& q) {
-    return compare_sums(p.a.x, p.b.x, q.a.x, q.b.x, tally_) == 0 &&
-           compare_sums(p.a.y, p.b.y, q.a.y, q.b.y, tally_) == 0;
-  }
-
   const Operands& operands_;
   TreeProduct superset_;
   double slack_;

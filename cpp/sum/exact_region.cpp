@@ -190,7 +190,7 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
   Finder finder(operands, task, tally);
   finder.add_outer(outer);
-  EdgeCover cover(operands, Solids::one, tally);
+  EdgeCover cover(operands, tally);
   walk_half_plane(operands, cover, finder, task, counts);
   if (wanted.fits) {
     cover.visit_touches(finder, [](const VertexSum&) { return true; });
@@ -208,16 +208,18 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
 }
 
-void find_free_parts(const Operands& operands, const WantedParts& wanted, Task& task,
-                     Counts& counts, ExactRegion& region) {
+void find_free_parts(const Operands& operands, const WindowBorder* border, const WantedParts& wanted,
+                     Task& task, Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
-  const Solids solids = operands.a.layout.ring_count() > 1 ? Solids::several : Solids::one;
   Finder finder(operands, task, tally);
-  EdgeCover cover(operands, solids, tally);
+  EdgeCover cover(operands, tally, border);
   walk_half_plane(operands, cover, finder, task, counts);
+  if (wanted.fits) {
+    cover.visit_touches(finder, [](const VertexSum&) { return true; });
+  }
   Index number = 0;
   for (const auto& [outer, holes] :
-       free_polygons(operands, std::move(finder.rings()), solids == Solids::several, tally)) {
+       free_polygons(operands, std::move(finder.rings()), !operands.a.solids.empty(), tally)) {
     add_part(region, PartKind::outer, number, outer);
     for (const std::vector<RingVertex>& hole : holes) {
       add_part(region, PartKind::hole, number, hole);

@@ -42,19 +42,25 @@ ExactRegion exact_sum(const RegionOperand& a, const RegionOperand& b, const Poin
   return exact;
 }
 
-// Where a polygon fits into a container. The container is solid outside.
-ExactRegion exact_fits(const RegionOperand& container, const RegionOperand& reflected,
-                       const Point& shift, const WantedParts& wanted, Task& task, Counts& counts) {
+// Where a polygon overlaps none of the solids.
+ExactRegion exact_free_set(const Operand& solids, const WindowBorder* border,
+                           const RegionOperand& reflected, const Point& shift,
+                           const WantedParts& wanted, Task& task, Counts& counts) {
   ExactRegion exact;
-  exact.a = {std::make_shared<const Boundary>(container.polygon->boundary().complement()),
-             container.name, container.error_bound};
+  exact.a = solids;
   exact.b = {all_rings(reflected.polygon), reflected.name, reflected.error_bound};
   exact.shift = shift;
   exact.against_edges = true;
   const Operands operands{*exact.a.ring, *exact.b.ring,
                           merge_directions(*exact.a.ring, *exact.b.ring, counts.predicates)};
-  find_free_parts(operands, wanted, task, counts, exact);
+  find_free_parts(operands, border, wanted, task, counts, exact);
   return exact;
+}
+
+// The outside of a container.
+Operand outside_of(const RegionOperand& container) {
+  return {std::make_shared<const Boundary>(container.polygon->boundary().complement()),
+          container.name, container.error_bound};
 }
 
 }  // namespace
@@ -120,26 +126,31 @@ Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, cons
   return region;
 }
 
-Region inner_fit_region(const RegionOperand& container, const RegionOperand& reflected,
-                        const Point& shift, const RegionOptions& options, Task& task) {
-  task.begin(estimated_cover_steps(container.polygon->boundary(), reflected.polygon->boundary()));
+Region free_region(const Operand& solids, const WindowBorder* border, const RegionOperand& reflected,
+                   const Point& shift, const RegionOptions& options, Task& task) {
+  task.begin(estimated_cover_steps(*solids.ring, reflected.polygon->boundary()));
   Region region;
   Tally& tally = region.counts.predicates;
-  region.exact =
-      exact_fits(container, reflected, shift, {true, !options.leave_out_fits}, task, region.counts);
+  region.exact = exact_free_set(solids, border, reflected, shift, {true, !options.leave_out_fits},
+                                task, region.counts);
   if (options.rounding == Rounding::nearest) {
     region.rounded = round_to_nearest(region.exact, false, task, tally);
   } else {
     const auto fits_of = [&](const std::shared_ptr<const Polygon>& polygon,
                              const std::shared_ptr<const Polygon>& square) {
       Counts counts;
-      return exact_fits({polygon, "the rounded region"}, {square, "the square"}, {0, 0},
-                        {true, false}, task, counts);
+      return exact_free_set(outside_of({polygon, "the rounded region"}), nullptr,
+                            {square, "the square"}, {0, 0}, {true, false}, task, counts);
     };
     region.rounded = round_region_inward(region.exact, fits_of, task, tally);
   }
   task.finish();
   return region;
+}
+
+Region inner_fit_region(const RegionOperand& container, const RegionOperand& reflected,
+                        const Point& shift, const RegionOptions& options, Task& task) {
+  return free_region(outside_of(container), nullptr, reflected, shift, options, task);
 }
 
 }  // namespace gcv

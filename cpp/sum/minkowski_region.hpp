@@ -6,11 +6,13 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "minkowski_sum.hpp"
 #include "polygon.hpp"
 #include "region.hpp"
 #include "task.hpp"
+#include "window_border.hpp"
 
 namespace gcv {
 
@@ -31,6 +33,15 @@ struct Region {
   ExactRegion exact;
   RoundedRegion rounded;
   Counts counts;
+  // Of a scene: the solid that each ring of A belongs to. 0 for the border of a window. Else empty.
+  std::vector<std::uint64_t> owners;
+
+  // That of the edge that leaves an exact vertex. 0 without a scene.
+  [[nodiscard]] std::uint64_t owner(std::size_t vertex) const {
+    return owners.empty() ? 0
+                          : owners[exact.a.ring->layout.ring_of(
+                                exact.vertices[vertex].leaving().i)];
+  }
 };
 
 // An operand within half of the tolerance of the given polygon.
@@ -47,6 +58,11 @@ Region sum_region(const RegionOperand& a, const RegionOperand& b, const Point& s
 // The closed sum a + b + shift, and the exact fits in it. Throws Error: range, cancelled, internal.
 Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, const Point& shift,
                             const RegionOptions& options, Task& task);
+
+// Where a polygon overlaps no solid: the free set. The first solid is the outside of a container.
+// With the border of a window, what lies in that. Throws Error: range, cancelled, internal.
+Region free_region(const Operand& solids, const WindowBorder* border, const RegionOperand& reflected,
+                   const Point& shift, const RegionOptions& options, Task& task);
 
 // Where `shift` goes if the polygon that `reflected` reflects moves inside the container. Throws
 // Error: range, cancelled, internal.

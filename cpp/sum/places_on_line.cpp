@@ -8,7 +8,7 @@ int PlacesOnLine::side_of_sum(const Line& line, const VertexSum& sum) const {
     ++tally_.filtered;
     return 0;
   }
-  return side(line.at, point(sum), tally_);
+  return side(line.at, operands_.point(sum), tally_);
 }
 
 int PlacesOnLine::side_of(const Line& other, const Place& place) const {
@@ -27,14 +27,14 @@ int PlacesOnLine::compare(const Place& p, const Place& q) const {
     if (p.sum == q.sum) {
       return 0;
     }
-    const SumPoint x = point(p.sum);
-    const SumPoint y = point(q.sum);
+    const SumPoint x = operands_.point(p.sum);
+    const SumPoint y = operands_.point(q.sum);
     const SumEdge& s = line_.at;
     if (s.from.x != s.to.x) {
-      const int order = compare_sums(x.a.x, x.b.x, y.a.x, y.b.x, tally_);
+      const int order = compare_x(x, y, tally_);
       return s.from.x < s.to.x ? order : -order;
     }
-    const int order = compare_sums(x.a.y, x.b.y, y.a.y, y.b.y, tally_);
+    const int order = compare_y(x, y, tally_);
     return s.from.y < s.to.y ? order : -order;
   }
   if (p.is_sum) {

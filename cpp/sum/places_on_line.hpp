@@ -46,9 +46,6 @@ class PlacesOnLine {
   [[nodiscard]] int compare(const Place& p, const Place& q) const;
 
  private:
-  [[nodiscard]] SumPoint point(const VertexSum& sum) const {
-    return {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-  }
   [[nodiscard]] int side_of_sum(const Line& line, const VertexSum& sum) const;
 
   const Operands& operands_;

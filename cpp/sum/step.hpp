@@ -95,10 +95,6 @@ class Step {
   }
 
  private:
-  [[nodiscard]] SumPoint point(const VertexSum& sum) const {
-    return {operands_.a.vertices[sum.i], operands_.b.vertices[sum.j]};
-  }
-
   [[nodiscard]] double clamped(double parameter) const {
     return std::min(std::max(parameter, 0.0), length_);
   }
@@ -115,7 +111,7 @@ class Step {
       ++tally_.filtered;
       return 0;
     }
-    return side(line.at, point(sum), tally_);
+    return side(line.at, operands_.point(sum), tally_);
   }
   int side_of_sum(const Line& line, const VertexSum& sum) {
     return side_of_sum(line, end_of(operands_, line.edge), sum);
@@ -124,10 +120,10 @@ class Step {
   // The sign of the way from p to q along the edge, for points on its line.
   int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q) {
     if (e.from.x != e.to.x) {
-      const int order = compare_sums(q.a.x, q.b.x, p.a.x, p.b.x, tally_);
+      const int order = compare_x(q, p, tally_);
       return e.from.x < e.to.x ? order : -order;
     }
-    const int order = compare_sums(q.a.y, q.b.y, p.a.y, p.b.y, tally_);
+    const int order = compare_y(q, p, tally_);
     return e.from.y < e.to.y ? order : -order;
   }
 
@@ -176,7 +172,7 @@ class Step {
 
   // Does t hold the end of s, its own end excepted?
   bool passes_through_end(const Line& t) {
-    const SumPoint q = point(end_);
+    const SumPoint q = operands_.point(end_);
     return side_of_sum(t, end_) == 0 && compare_along(t.at, t.at.origin, q) >= 0 &&
            compare_along(t.at, q, operands_.end(t.edge)) > 0;
   }

@@ -25,15 +25,11 @@ int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const Vert
     return 0;
   }
   const auto [from, to] = operands_.source(s);
-  const Boundary& a = operands_.a;
-  const Boundary& b = operands_.b;
   if (from.x != to.x) {
-    const int order = compare_sums(a.vertices[q.i].x, b.vertices[q.j].x, a.vertices[p.i].x,
-                                   b.vertices[p.j].x, tally_);
+    const int order = compare_x(operands_.point(q), operands_.point(p), tally_);
     return from.x < to.x ? order : -order;
   }
-  const int order = compare_sums(a.vertices[q.i].y, b.vertices[q.j].y, a.vertices[p.i].y,
-                                 b.vertices[p.j].y, tally_);
+  const int order = compare_y(operands_.point(q), operands_.point(p), tally_);
   return from.y < to.y ? order : -order;
 }
 

@@ -27,6 +27,10 @@ struct VertexSum {
   friend bool operator==(const VertexSum&, const VertexSum&) = default;
 };
 
+inline SumPoint point_of(const Boundary& a, const Boundary& b, const VertexSum& sum) {
+  return {a.vertices[sum.i], b.vertices[sum.j], a.position(sum.i)};
+}
+
 // What a superset edge before merging is made of: edge i of A + vertex j of B, or vertex i of A +
 // edge j of B. It starts at the sum of the vertices i and j.
 struct EdgeName {
@@ -77,12 +81,10 @@ struct Operands {
                : std::pair<const Point&, const Point&>{b.vertices[e.j], b.vertices[b.next(e.j)]};
   }
 
-  [[nodiscard]] SumPoint start(const EdgeName& e) const {
-    return {a.vertices[e.i], b.vertices[e.j]};
-  }
+  [[nodiscard]] SumPoint point(const VertexSum& sum) const { return point_of(a, b, sum); }
+  [[nodiscard]] SumPoint start(const EdgeName& e) const { return point({e.i, e.j}); }
   [[nodiscard]] SumPoint end(const EdgeName& e) const {
-    return e.kind == EdgeName::translated ? SumPoint{a.vertices[a.next(e.i)], b.vertices[e.j]}
-                                          : SumPoint{a.vertices[e.i], b.vertices[b.next(e.j)]};
+    return e.kind == EdgeName::translated ? point({a.next(e.i), e.j}) : point({e.i, b.next(e.j)});
   }
 
   // The sum of the vertices i and j in relative coordinates.
@@ -92,8 +94,8 @@ struct Operands {
     return {p.x + q.x, p.y + q.y};
   }
   [[nodiscard]] Box relative_bounds() const {
-    const Point& p = a.vertices.front();
-    const Point& q = b.vertices.front();
+    const Point p = a.origin();
+    const Point q = b.origin();
     return {a.bounds.x0 - p.x + (b.bounds.x0 - q.x), a.bounds.y0 - p.y + (b.bounds.y0 - q.y),
             a.bounds.x1 - p.x + (b.bounds.x1 - q.x), a.bounds.y1 - p.y + (b.bounds.y1 - q.y)};
   }
@@ -146,7 +148,7 @@ inline SumEdge coordinates(const Boundary& a, const Boundary& b, const EdgeName&
   const bool translated = e.kind == EdgeName::translated;
   const Point& from = translated ? a.vertices[e.i] : b.vertices[e.j];
   const Point& to = translated ? a.vertices[a.next(e.i)] : b.vertices[b.next(e.j)];
-  return {{a.vertices[e.i], b.vertices[e.j]}, from, to, to.x - from.x, to.y - from.y};
+  return {point_of(a, b, {e.i, e.j}), from, to, to.x - from.x, to.y - from.y};
 }
 
 }  // namespace gcv

@@ -49,10 +49,6 @@ ParallelPair parallel_pair(const Operands& operands, const EdgeName& e) {
   return {directions.rank_a[before] == rank, before, e.j};
 }
 
-SumPoint sum_of(const Operands& operands, Index i, Index j) {
-  return {operands.a.vertices[i], operands.b.vertices[j]};
-}
-
 // Is the direction of edge i of A, which edge j of B shares, the longer of the two?
 // Along a line, lengths compare as the differences of one coordinate do.
 bool a_is_longer(const Operands& operands, Index i, Index j) {
@@ -73,14 +69,14 @@ SupersetEdge translated_corner_edge(const Operands& operands, Index i, Index j, 
   const Index j1 = operands.b.next(j);
   const EdgeSource source{EdgeKind::translated_corner, i, j};
   if (merge == Merge::whole) {
-    return {sum_of(operands, i, j), sum_of(operands, i1, j1), source};
+    return {operands.point({i, j}), operands.point({i1, j1}), source};
   }
   const bool a_longer = a_is_longer(operands, i, j);
   if (merge == Merge::start) {
-    return {sum_of(operands, i, j), a_longer ? sum_of(operands, i1, j) : sum_of(operands, i, j1),
+    return {operands.point({i, j}), a_longer ? operands.point({i1, j}) : operands.point({i, j1}),
             source};
   }
-  return {a_longer ? sum_of(operands, i, j1) : sum_of(operands, i1, j), sum_of(operands, i1, j1),
+  return {a_longer ? operands.point({i, j1}) : operands.point({i1, j}), operands.point({i1, j1}),
           source};
 }
 
@@ -106,9 +102,9 @@ std::vector<SupersetEdge> enumerate_superset(const Operands& operands) {
       edges.push_back(
           translated_corner_edge(operands, source.a, source.b, operands.merge(source.a, source.b)));
     } else if (source.kind == EdgeKind::translated) {
-      edges.push_back({sum_of(operands, e.i, e.j), sum_of(operands, a.next(e.i), e.j), source});
+      edges.push_back({operands.point({e.i, e.j}), operands.point({a.next(e.i), e.j}), source});
     } else {
-      edges.push_back({sum_of(operands, e.i, e.j), sum_of(operands, e.i, b.next(e.j)), source});
+      edges.push_back({operands.point({e.i, e.j}), operands.point({e.i, b.next(e.j)}), source});
     }
   };
   for_each_contribution(directions.rank_a, b, directions.rank_b, directions.half_turn,

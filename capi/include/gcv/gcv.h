@@ -1066,8 +1066,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_edge_sources(const gcv_region *regio
                                                          size_t *required);
 
 /**
- * The owner of every edge of the exact region: the id of the polygon that made it, of a scene.
- * Regions of two polygons come from no scene: all of their owners are 0.
+ * The owner of every edge of the exact region: of a scene, the id of the member that made it, 1 for
+ * the container, 0 for a window. Regions of two polygons come from no scene: all of their owners
+ * are 0. So are those of what is no edge, as in gcv_region_edge_sources.
  *
  * @param ids       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
@@ -1581,6 +1582,67 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint6
                                                    gcv_polygon **out);
 
 /**
+ * Where a polygon is free: all positions at which it lies in the container and overlaps no member.
+ * It may touch them, and they may touch and overlap one another. It is the inner fit of the
+ * container, less the no-fit regions of the members, with every exact fit as a segment or a point:
+ * the feasible region of nesting, the free space of motion planning.
+ *
+ * With a window, the answer is what of that lies in the window: the two-dimensional part is cut and
+ * made regular, and segments and points in the window and on its border stay. What the polygon
+ * cannot reach from there is not looked at.
+ *
+ * gcv_region_edge_owners names the member that made each edge. Of the sources, a is in that member
+ * or in the container, b in `moving`. Edges that the window has cut have the owner 0 and the kind 0.
+ *
+ * @param moving   the polygon.
+ * @param window   xmin ymin xmax ymax, of positions, finite, xmin < xmax, ymin < ymax; or NULL.
+ *                 Without a container, or if the query ignores it, there must be a window.
+ * @param query    which members; or NULL for all.
+ * @param options  no tolerance, and no holes left out; or NULL for the defaults. With
+ *                 GCV_ROUND_OUTWARD the region lies inside the exact one.
+ * @param out      a new handle, the caller's.
+ * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for a window, a query, options,
+ *         or where neither a window nor a container bounds the region; GCV_ERR_NOT_FINITE;
+ *         GCV_ERR_RANGE; GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ * Exactness: as gcv_inner_fit_region. Cost: that of the inner fit of a container with all vertices
+ * of the members that can be reached. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_free_region(const gcv_scene *scene,
+                                                       const gcv_polygon *moving,
+                                                       const double window[4],
+                                                       const gcv_query *query,
+                                                       const gcv_options *options,
+                                                       gcv_region **out);
+
+/**
+ * The free position of a polygon that is furthest in a direction: the one of
+ * gcv_scene_free_region for which x * direction[0] + y * direction[1] is largest; of several, the
+ * lexicographically smallest. Found without the region. Direction -1 0 places bottom-left: leftmost,
+ * and of these lowest.
+ *
+ * The position is in doubles, and the polygon overlaps nothing there. It is within 2 units in the
+ * last place of the exact one where such a position is free. Else it is the best one found near
+ * there; where none is, the doubles nearest to the exact position, where gcv_scene_relation tells
+ * GCV_OVERLAPPING.
+ *
+ * @param moving     the polygon.
+ * @param direction  finite, not 0 0.
+ * @param query      which members; or NULL for all. There must be a container, and the query must
+ *                   not ignore it.
+ * @param options    no tolerance, and no holes left out; with GCV_LEAVE_OUT_FITS positions are
+ *                   looked for on the boundary of the two-dimensional part alone; or NULL.
+ * @param out        x y of the position; 0 0 where there is none.
+ * @param found      1; 0 where the polygon is free nowhere.
+ * @return as gcv_scene_free_region.
+ * Exactness: which position is the furthest is decided exactly. Cost: that of the superset edges
+ * that reach further in the direction. Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_best(const gcv_scene *scene, const gcv_polygon *moving,
+                                                const double direction[2], const gcv_query *query,
+                                                const gcv_options *options, double out[2],
+                                                int32_t *found);
+
+/**
  * How a polygon at positions lies to the members and the container: GCV_OVERLAPPING if it overlaps
  * one of them, else GCV_TOUCHING if it touches one, else GCV_APART.
  *
@@ -1620,6 +1682,27 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_relation(const gcv_scene *scene,
 GCV_API GCV_NODISCARD gcv_status gcv_scene_distance(
     const gcv_scene *scene, const gcv_polygon *moving, const double *positions, size_t count,
     const gcv_query *query, const gcv_options *options, gcv_separation *out);
+
+/**
+ * How a polygon at positions gets out of all overlaps with members and the container: the shortest
+ * translation to a free position, as in gcv_penetration. The contact is with a member that it
+ * touches there, its id in id_a; of several, the one with the smallest id. Where it is free
+ * already, the depth is 0. Where nothing is free, the depth is infinite, the translation and the
+ * contact are 0, the position is the given one, and the relation GCV_OVERLAPPING.
+ *
+ * @param moving     the polygon.
+ * @param positions  x0 y0 x1 y1 ..., finite.
+ * @param count      the number of positions.
+ * @param query      which members; or NULL for all.
+ * @param options    as gcv_scene_best; or NULL for the defaults.
+ * @param out        room for `count` elements.
+ * @return as gcv_scene_distance; GCV_ERR_INVALID_ARGUMENT for options, too.
+ * Exactness: as gcv_penetration. Cost: that of the superset edges as near as the way out.
+ * Threads: any. @since 0.2
+ */
+GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(
+    const gcv_scene *scene, const gcv_polygon *moving, const double *positions, size_t count,
+    const gcv_query *query, const gcv_options *options, gcv_escape *out);
 
 /**
  * How far a polygon can move along a motion before it overlaps a member or the container: gcv_cast

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "joined_solids.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "error.hpp"
+#include "placed_box.hpp"
+
+namespace gcv {
+
+namespace {
+
+// Of the polygon, from that of its reflection.
+Box turned_round(const Box& box) { return {-box.x1, -box.y1, -box.x0, -box.y0}; }
+
+double size_of(const Box& box) {
+  return std::max(std::max(std::abs(box.x0), std::abs(box.x1)),
+                  std::max(std::abs(box.y0), std::abs(box.y1)));
+}
+
+// How far solids that shut off the rest reach beyond a box.
+double margin_of(const Box& box) {
+  return ((box.x1 - box.x0) + (box.y1 - box.y0)) / 16 + 0x1p-40 * size_of(box);
+}
+
+Boundary ring_of(PointVector vertices) {
+  for (const Point& p : vertices) {
+    if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+      throw Error(Status::range, "the window and the polygon are too large or too far apart");
+    }
+  }
+  return make_ring(std::move(vertices), "window");
+}
+
+// Everything outside of a box.
+Boundary outside_of(const Box& box) {
+  return ring_of({{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}})
+      .complement();
+}
+
+// Two solids, each at a corner of the window. A polygon with that box overlaps neither where it is
+// at a position in the window. They reach from there beyond a box `outer`.
+struct WindowSolids {
+  Point low;   // their positions
+  Point high;
+  Boundary below;  // left of the window and below it
+  Boundary above;  // right of it and above it
+
+  WindowSolids(const Box& window, const Box& moving, const Box& outer)
+      : low{window.x0, window.y0},
+        high{window.x1, window.y1},
+        below(ring_below(moving.x0, moving.y0, seen_from(low, outer))),
+        above(ring_above(moving.x1, moving.y1, seen_from(high, outer))) {}
+
+ private:
+  static Box seen_from(const Point& corner, const Box& box) {
+    return moved_outwards(box, {-corner.x, -corner.y});
+  }
+  // With the reflex corner (x, y).
+  static Boundary ring_below(double x, double y, const Box& r) {
+    return ring_of({{r.x0, r.y0}, {r.x1, r.y0}, {r.x1, y}, {x, y}, {x, r.y1}, {r.x0, r.y1}});
+  }
+  static Boundary ring_above(double x, double y, const Box& r) {
+    return ring_of({{r.x0, y}, {x, y}, {x, r.y0}, {r.x1, r.y0}, {r.x1, r.y1}, {r.x0, r.y1}});
+  }
+};
+
+// The superset edges along the sides of a window whose solids have the vertices from `first` on.
+WindowBorder border_from(Index first, const Boundary& reflected) {
+  const auto furthest = [&](auto is_further) {
+    return static_cast<Index>(first_of(reflected.vertices, is_further));
+  };
+  const Index highest = furthest([](const Point& p, const Point& q) { return p.y > q.y; });
+  const Index rightmost = furthest([](const Point& p, const Point& q) { return p.x > q.x; });
+  const Index lowest = furthest([](const Point& p, const Point& q) { return p.y < q.y; });
+  const Index leftmost = furthest([](const Point& p, const Point& q) { return p.x < q.x; });
+  // Edges 2 and 3 of the solid below meet in its reflex corner, edges 0 and 1 of that above.
+  return {first,
+          {{{EdgeName::translated, first + 2, highest},
+            {EdgeName::translated, first + 3, rightmost},
+            {EdgeName::translated, first + 6, lowest},
+            {EdgeName::translated, first + 7, leftmost}}}};
+}
+
+class Joining {
+ public:
+  void add(Id owner, const Boundary& boundary, const Point& position) {
+    parts_.push_back({boundary, position});
+    owners_.insert(owners_.end(), boundary.layout.ring_count(), owner);
+    size_ += boundary.size();
+  }
+  [[nodiscard]] Index size() const { return size_; }
+
+  JoinedSolids run(const std::optional<WindowBorder>& border) {
+    return {std::make_shared<const Boundary>(joined(parts_)), std::move(owners_), border};
+  }
+
+ private:
+  std::vector<PlacedBoundary> parts_;
+  std::vector<Id> owners_;
+  Index size_ = 0;
+};
+
+// The members whose boxes meet a box, in the order of their ids.
+std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, const Box& box) {
+  std::vector<std::uint32_t> slots;
+  any_near(scene, query, box, [&](std::uint32_t slot) {
+    slots.push_back(slot);
+    return false;
+  });
+  std::sort(slots.begin(), slots.end());
+  return slots;
+}
+
+}  // namespace
+
+JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
+                         const std::optional<Box>& window) {
+  const std::optional<Solid> container =
+      query.admits_container() ? scene.container() : std::nullopt;
+  if (!container && !window) {
+    throw Error(Status::invalid_argument,
+                "window is NULL, and there is no container: the free set is unbounded");
+  }
+  const Box moving = turned_round(reflected.bounds);
+  // What a polygon in the window can reach.
+  Box reach = container ? container->boundary.bounds : empty_box;
+  Box outer = reach;
+  if (window) {
+    reach = {sum_below(window->x0, moving.x0), sum_below(window->y0, moving.y0),
+             sum_above(window->x1, moving.x1), sum_above(window->y1, moving.y1)};
+    outer = hull_of(outer, reach);
+  }
+  Joining joining;
+  const double margin = margin_of(outer);
+  const Box frame_box = widened_outwards(outer, margin);
+  std::optional<Boundary> frame;
+  if (container) {
+    joining.add(container->id, container->boundary, container->position);
+  } else {
+    frame.emplace(outside_of(frame_box));
+    joining.add(0, *frame, {0, 0});
+  }
+  for (const std::uint32_t slot : slots_near(scene, query, reach)) {
+    const Solid solid = scene.solid(slot);
+    joining.add(solid.id, solid.boundary, solid.position);
+  }
+  if (!window) {
+    return joining.run(std::nullopt);
+  }
+  const WindowSolids solids(*window, moving, widened_outwards(frame_box, margin));
+  const WindowBorder border = border_from(joining.size(), reflected);
+  joining.add(0, solids.below, solids.low);
+  joining.add(0, solids.above, solids.high);
+  return joining.run(border);
+}
+
+}  // namespace gcv

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// A scene as one operand of a sum.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "box.hpp"
+#include "query.hpp"
+#include "scene.hpp"
+#include "window_border.hpp"
+
+namespace gcv {
+
+struct JoinedSolids {
+  // The outside of the container comes first; without one, that of a frame round the window. Then
+  // the members, in the order of their ids, then the window.
+  std::shared_ptr<const Boundary> boundary;
+  std::vector<Id> owners;  // the solid that each ring belongs to; 0 for the frame and the window
+  std::optional<WindowBorder> border;
+};
+
+// The solids that a query admits, of which a polygon can touch one in the container; with a window,
+// those that it can touch from a position there. `reflected` is the polygon's reflection. Throws
+// Error: invalid_argument without a container and a window; range where the corners of a frame are
+// beyond the largest double.
+JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
+                         const std::optional<Box>& window);
+
+}  // namespace gcv
