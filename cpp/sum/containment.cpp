@@ -58,7 +58,7 @@ class PointInRings {
 }  // namespace
 
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
-                           const Box& around, Tally& tally) {
+                           const Box& around, Index seen, Tally& tally) {
   Containment result{false, false};
   const Boundary& a = operands.a;
   const Boundary& b = operands.b;
@@ -74,6 +74,9 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
                  around.y1 - box_b.y0};
   a.cover_index().solids.for_each_near(near, [&](Index solid) {
     const Index first = a.layout.begin(a.solids[solid]);
+    if (first >= seen) {
+      return;
+    }
     const Point p = a.relative(first);
     if (!are_apart(near, {p.x, p.y, p.x, p.y})) {
       PointInRings rings(operands, places, place, tally);

@@ -13,9 +13,9 @@ struct Containment {
   bool of_germ;   // for what follows the place on its line, to the right
 };
 
-// The box holds the place, in relative coordinates. O(n + m) for each
-// solid whose box is near.
+// The box holds the place, in relative coordinates. Solids of the vertices of A from `seen` on do not
+// count. O(n + m) for each solid whose box is near.
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
-                           const Box& around, Tally& tally);
+                           const Box& around, Index seen, Tally& tally);
 
 }  // namespace gcv

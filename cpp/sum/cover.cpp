@@ -41,7 +41,7 @@ Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLi
   const Interval parameters = parameters_of(line, place);
   const Box around =
       widened(box_of(line.at(parameters.lo), line.at(parameters.hi)), search_.slack());
-  return containment_at(operands_, places, place, around, tally_);
+  return containment_at(operands_, places, place, around, seen_, tally_);
 }
 
 std::optional<EdgeCover::Sides> EdgeCover::sides_of(const WitnessSearch::Pair& pair) const {
@@ -333,7 +333,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
 }
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
-                             const Place& place) {
+                             const Place& place, bool right_is_free) {
   see(parameters_of(line, place).lo, 2);
   Place first = places.end();
   const auto come = [&](const Place& change) {
@@ -353,6 +353,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
       continue;
     }
     bool holds_germ = true;
+    bool is_right = true;  // does it hold the germ between its entry and its exit?
     bool holds_places = true;
     std::optional<Place> entry;
     for (const Side& side : sides->side) {
@@ -361,7 +362,8 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
       if (turn == 0) {
         const bool is_same_way = side.line.edge.rank == places.line().edge.rank;
         holds_places = holds_places && here == side.sign;
-        holds_germ = holds_germ && (here != 0 ? here : is_same_way ? -1 : 1) == side.sign;
+        is_right = is_right && (here != 0 ? here : is_same_way ? -1 : 1) == side.sign;
+        holds_germ = holds_germ && is_right;
       } else {
         holds_germ = holds_germ && (here != 0 ? here : turn) == side.sign;
         if (turn == side.sign) {
@@ -376,8 +378,11 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     if (holds_germ && (!germ_exit || places.compare(exit, *germ_exit) > 0)) {
       germ_exit = exit;
     }
-    if (holds_places && entry && places.compare(*entry, place) >= 0 &&
-        places.compare(*entry, exit) < 0) {
+    if (!entry || places.compare(*entry, exit) >= 0) {
+      continue;
+    }
+    const int order = places.compare(*entry, place);
+    if ((holds_places && order >= 0) || (right_is_free && is_right && order > 0)) {
       come(*entry);
     }
   }

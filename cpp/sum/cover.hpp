@@ -156,7 +156,7 @@ class EdgeCover {
       if (is_segment && !segment) {
         segment = place;
       }
-      place = leads_on ? next_change(places, line, *place)
+      place = leads_on ? next_change(places, line, *place, !is_segment)
                        : leave_cover(places, line, *place, containment.of_germ);
     }
     seen_ = operands_.a.size();
@@ -255,8 +255,10 @@ class EdgeCover {
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
                                    const Place& place, bool is_contained);
   // What follows the place on s is free, and its right side is covered; or solids contain one
-  // another there. The next place where this may end.
-  Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+  // another there. The next place where this may end. If the right side is free, also the next one
+  // where that may end.
+  Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place,
+                    bool right_is_free = false);
 
   [[nodiscard]] double parameter_of(const RelativeLine& line, const Place& place) const;
   // Parameters that enclose that of a place on s.
