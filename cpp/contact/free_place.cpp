@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "double_double.hpp"
 #include "gap.hpp"
 #include "predicates.hpp"
 
@@ -14,14 +13,6 @@ namespace gcv {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Seen from the sum of the first vertices, as relative coordinates are.
-Point relative_place(const Operands& operands, const Point& p) {
-  const Point& a = operands.a.vertices.front();
-  const Point& b = operands.b.vertices.front();
-  const Point c = operands.a.position(0);
-  return {rounded_sum(p.x, -a.x, -b.x, -c.x), rounded_sum(p.y, -a.y, -b.y, -c.y)};
-}
 
 // How far the nearest side of the box of the sum is, if all is free outside of it.
 double distance_from_outside(const Operands& operands, const Point& p) {
@@ -231,7 +222,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
                                                   Task& task) {
-  const Point relative = relative_place(operands_, from);
+  const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
   NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, most, tally_);
   for (std::size_t k = 0; k < outer_ring.size(); ++k) {

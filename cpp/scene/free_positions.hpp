@@ -41,6 +41,8 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
+  [[nodiscard]] std::optional<ExactPoint> furthest_in(const Box& window, const Point& direction,
+                                                      Task& task, Tally& tally) const;
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
 
   const Scene& scene_;

@@ -36,7 +36,7 @@ Interval EdgeCover::parameters_of(const RelativeLine& line, const Place& place) 
 Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& place) const {
   if (operands_.a.solids.empty()) {
-    return {false, false};
+    return {false, false, false, std::nullopt};
   }
   const Interval parameters = parameters_of(line, place);
   const Box around =
@@ -220,6 +220,37 @@ bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place
   return false;
 }
 
+std::vector<WindowBorder::Part> EdgeCover::segments_along_border(const PlacesOnLine& places) {
+  const PairEdge& s = places.line().edge;
+  const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
+  std::vector<WindowBorder::Part> segments;
+  search_.begin(line);
+  seen_ = border_->first;
+  std::optional<Place> segment;  // where one has begun
+  for (std::optional<Place> place = places.start(); place;) {
+    const Surroundings surroundings = look(places, line, *place);
+    const Containment containment = contained_at(places, line, *place);
+    const bool is_end = places.compare(*place, places.end()) >= 0;
+    const bool leads_on = !is_end && !surroundings.is_covered && !containment.of_place &&
+                          !surroundings.blocked.holds(s.rank);
+    const bool is_segment = leads_on && surroundings.blocked.hold_right_of(s.rank);
+    if (segment && !is_segment) {
+      segments.push_back(border_->clipped(operands_, places, {*segment, *place}));
+      segment.reset();
+    }
+    if (is_end) {
+      break;
+    }
+    if (is_segment && !segment) {
+      segment = place;
+    }
+    place = leads_on ? next_change(places, line, *place, !is_segment)
+                     : leave_cover(places, line, *place, containment);
+  }
+  seen_ = operands_.a.size();
+  return segments;
+}
+
 void EdgeCover::see(double from, double to) {
   pairs_ = search_.pairs_near(from, to);
   if (seen_ < operands_.a.size()) {
@@ -298,7 +329,7 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
 }
 
 std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const RelativeLine& line,
-                                            const Place& place, bool is_contained) {
+                                            const Place& place, const Containment& containment) {
   std::optional<Place> furthest;
   const auto take = [&](const Place& exit) {
     if (!furthest || places.compare(exit, *furthest) > 0) {
@@ -323,8 +354,8 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
       }
     });
   }
-  if (!furthest && is_contained) {
-    return next_change(places, line, place);
+  if (containment.of_line) {
+    take(containment.end ? *containment.end : places.end());
   }
   if (!furthest) {
     throw Error(Status::internal, "no witness covers what follows a covered place");
