@@ -172,6 +172,9 @@ relations = [gcv.OVERLAPPING, gcv.TOUCHING, gcv.OVERLAPPING]
 assert scene.relation(square, moves) == relations
 assert scene.distance(square, moves) == [scene.distance(square, move) for move in moves]
 assert scene.pairs(2).array == [(2, 3, gcv.APART)]
+free = scene.free_region(square, (0, 0, 3, 9), ignore=2)
+assert free.vertices == [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (3.0, 1.0), (3.0, 9.0), (0.0, 9.0)]
+assert free.owners == [0, 3, 3, 0, 0, 0]
 assert not hasattr(gcv, "CONTACT_DTYPE")
 try:
     gcv.IMPACT_DTYPE
