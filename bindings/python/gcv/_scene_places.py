@@ -96,8 +96,8 @@ class Places(Questions):
         is free, otherwise the best one that was found near there. Where none was found, it
         is the one nearest to the exact position, where relation tells OVERLAPPING.
 
-        Takes less time than free_region. The other arguments and the errors are those of
-        free_region, with direction in place of the window.
+        Takes as long as the superset edges that reach further. The other arguments and the
+        errors are those of free_region, with direction in place of the window.
         """
         polygon, members = as_polygon(moving, "moving"), query_of(layers, ignore)
         towards = _structs.Point(*pair(direction, "direction"))

@@ -23,6 +23,8 @@ CROWD.add(
     [star(2000, seed) for seed in range(20)],
     np.random.default_rng(3).uniform(-5, 5, (20, 2)),
 )
+CROWDED_ROOM = CROWD.copy()
+CROWDED_ROOM.container = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
 VISITOR = star(2000, 99)
 PLACES = np.random.default_rng(1).uniform(-6, 6, (300000, 2))
 LONG: list[Callable[..., object]] = [
@@ -30,6 +32,8 @@ LONG: list[Callable[..., object]] = [
     lambda **options: CROWD.distance(VISITOR, PLACES, threads=2, **options),
     lambda **options: CROWD.cast(VISITOR, PLACES, (1, 0), **options),
     lambda **options: CROWD.free_region(VISITOR, (-6, -6, 6, 6), threads=2, **options),
+    lambda **options: CROWDED_ROOM.best(VISITOR, (-1, 0), **options),
+    lambda **options: CROWD.penetration(VISITOR, PLACES, ignore=range(3, 22), **options),
 ]
 
 
@@ -71,6 +75,7 @@ def test_progress_must_not_change_the_scene(change: Callable[[gcv.Scene], object
         lambda progress: scene.cast(BLOCK, (1, 0), (1, 0), progress=progress),
         lambda progress: scene.near(BLOCK, (1, 0), 1, progress=progress),
         lambda progress: scene.free_region(BLOCK, (0, 0, 9, 9), progress=progress),
+        lambda progress: scene.penetration(BLOCK, (1, 0), progress=progress),
         lambda progress: scene.pairs(1, progress=progress),
         lambda progress: scene.contacts(1, progress=progress),
     ]
