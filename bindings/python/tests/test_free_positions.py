@@ -165,6 +165,21 @@ def test_own_places() -> None:
         assert scene.penetration(part, (3, -4)).depth == math.inf
 
 
+def test_a_place_between_floats() -> None:
+    """A key that fits at (1/3, 1/3) alone: there it touches, but at no float."""
+    lock = [(0, 0), (1, 0), (2, -0.5), (3, -1), (2, 0), (1.5, 1), (1.5, 2), (1, 1)]
+    key = gcv.Polygon([(0, 0), (2, -1), (1, 1)])
+    scene = gcv.Scene(lock)
+    assert scene.free_region(key).exact == [(Fraction(1, 3), Fraction(1, 3))]
+    for direction in DIRECTIONS:
+        assert scene.best(key, direction) == (1 / 3, 1 / 3)
+        assert scene.best(key, direction, leave_out="fits") is None
+    assert scene.relation(key, (1 / 3, 1 / 3)) is gcv.OVERLAPPING
+    escape = scene.penetration(key, (1, 1))
+    assert escape[2:4] == ((1 / 3, 1 / 3), gcv.OVERLAPPING)
+    assert is_nearest_root(escape.depth, Fraction(8, 9))
+
+
 # ------------------------------------------------------------------------- ways out -----
 
 
