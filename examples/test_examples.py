@@ -11,10 +11,11 @@ from fractions import Fraction
 from pathlib import Path
 from xml.etree import ElementTree
 
+from test_cases import HERE, SVG, Bindings, TestInFolder
+from test_nesting import Nesting  # noqa: F401, run from here
+
 PROGRAMS = Path(os.environ["GCV_EXAMPLES"])
-HERE = Path(__file__).parent
 POLYGONS = HERE / "polygons"
-SVG = "{http://www.w3.org/2000/svg}"
 
 # Every shipped polygon is in one of the pairs that belong together.
 PAIRS = [
@@ -58,22 +59,6 @@ def rings(text):
     closed = list(map(points, match[1].split("), (")))
     assert all(ring[0] == ring[-1] for ring in closed)
     return [ring[:-1] for ring in closed]
-
-
-class TestInFolder(unittest.TestCase):
-    """A test with a folder for its files, and a square and a triangle in it."""
-
-    def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.folder = Path(holder.name)
-        self.square = self.write("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))")
-        self.triangle = self.write("triangle.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))")
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.write_text(text, encoding="utf-8")
-        return path
 
 
 class Programs(unittest.TestCase):
@@ -297,33 +282,6 @@ class Failures(TestInFolder):
             done = subprocess.run([PROGRAMS / "region", *pair], stdout=full, text=True,
                                   stderr=subprocess.PIPE, check=False, timeout=300)
         self.assert_failure(done, "standard output")
-
-
-class Bindings(TestInFolder):
-    """The examples in Python and Rust."""
-
-    def succeed(self, *command):
-        done = subprocess.run([*map(str, command)], text=True, capture_output=True, check=False,
-                              timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rings(self, path, style=None):
-        """The paths in a picture, those of a class if one is given."""
-        return [[tuple(map(float, pair.split())) for pair in drawn.get("d").strip("MZ").split("L")]
-                for drawn in ElementTree.parse(path).iter(f"{SVG}path")
-                if drawn.get("class") == style]
-
-
-class Nesting(Bindings):
-    def test_nesting(self):
-        picture = self.folder / "nesting.svg"
-        done = self.succeed(sys.executable, HERE / "nesting.py", "--svg", picture)
-        self.assertEqual(done.stdout, "12 parts, length 7387246/114345 (about 64.605): "
-                                      f"{picture}\n")
-        rings = self.rings(picture)
-        self.assertEqual(len(rings), 12)
-        self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
 
 
 class Contacts(Bindings):
