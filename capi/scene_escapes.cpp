@@ -1,16 +1,113 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Free positions in a scene: gcv_scene_best, gcv_scene_penetration.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "answers.hpp"
+#include "contacts.hpp"
 #include "error.hpp"
+#include "free_positions.hpp"
 #include "gcv/gcv.h"
 #include "guard.hpp"
+#include "handles.hpp"
+#include "options.hpp"
+#include "scene_queries.hpp"
 
-gcv_status gcv_scene_best(const gcv_scene*, const gcv_polygon*, const double[2], const gcv_query*,
-                          const gcv_options*, double[2], int32_t*) {
-  return gcv::capi::guarded([] { throw gcv::Error(gcv::Status::internal, "not yet"); });
+namespace {
+
+using gcv::Error;
+using gcv::FreePositions;
+using gcv::Point;
+using gcv::Query;
+using gcv::Status;
+using gcv::Tally;
+using gcv::Task;
+using gcv::capi::guarded;
+using gcv::capi::require;
+using gcv::capi::require_finite;
+
+constexpr const char* name = "positions";  // in messages
+
+Point read_direction(const double direction[2]) {
+  const Point result = gcv::capi::Vectors(direction, 1, "direction")[0];
+  if (result == Point{0, 0}) {
+    throw Error(Status::invalid_argument, "direction is 0 0");
+  }
+  return result;
 }
 
-gcv_status gcv_scene_penetration(const gcv_scene*, const gcv_polygon*, const double*, size_t,
-                                 const gcv_query*, const gcv_options*, gcv_escape*) {
-  return gcv::capi::guarded([] { throw gcv::Error(gcv::Status::internal, "not yet"); });
+}  // namespace
+
+gcv_status gcv_scene_best(const gcv_scene* scene, const gcv_polygon* moving,
+                          const double direction[2], const gcv_query* query,
+                          const gcv_options* options, double out[2], int32_t* found) {
+  return guarded([&] {
+    require(scene, "scene");
+    require(moving, "moving");
+    require(direction, "direction");
+    require(out, "out");
+    require(found, "found");
+    const gcv_options known = gcv::capi::read_free_options(options, "free positions");
+    const Query asked = gcv::capi::read_query(query);
+    const Point wanted = read_direction(direction);
+    if (!asked.admits_container() || !scene->scene.container()) {
+      throw Error(Status::invalid_argument,
+                  "the scene has no container for this query: nothing bounds the positions");
+    }
+    Task task(gcv::capi::threads_of(known), known.progress, known.progress_context);
+    task.begin(1);
+    const FreePositions positions(scene->scene, asked, *moving->polygon, *moving->reflected(),
+                                  gcv::capi::wanted_parts(known).fits);
+    Tally tally;
+    const std::optional<gcv::UsablePosition> best = positions.furthest(wanted, task, tally);
+    if (best) {
+      require_finite(best->position, "best", 0);
+    }
+    task.finish();
+    out[0] = best ? best->position.x : 0;
+    out[1] = best ? best->position.y : 0;
+    *found = best ? 1 : 0;
+  });
+}
+
+gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* moving,
+                                 const double* positions, size_t count, const gcv_query* query,
+                                 const gcv_options* options, gcv_escape* out) {
+  return guarded([&] {
+    require(scene, "scene");
+    require(moving, "moving");
+    const gcv_options known = gcv::capi::read_free_options(options, "ways out of overlaps");
+    const Query asked = gcv::capi::read_query(query);
+    if (count == 0) {
+      return;
+    }
+    require(positions, name);
+    require(out, "out");
+    const gcv::capi::Vectors all(positions, count, name);
+    const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
+                             gcv::capi::wanted_parts(known).fits);
+    const std::size_t size = moving->polygon->boundary().size();
+    gcv::capi::give_all(
+        count, gcv::capi::translations_a_report(size, size), known, out,
+        [&](Tally& tally, Task& task) {
+          return [&](std::size_t k) {
+            const auto [id, escape] = ways.escape(all[k], task, tally);
+            const auto& [depth, way, place, contact] = escape;
+            require_finite(place.position, name, k);
+            require_finite(contact, name, k);
+            if (id != 0) {
+              require_finite(Point{depth, 0}, name, k);
+            }
+            return gcv_escape{depth,
+                              {way.x, way.y},
+                              {place.position.x, place.position.y},
+                              static_cast<std::int32_t>(place.relation),
+                              0,
+                              gcv::capi::public_contact(contact, id)};
+          };
+        });
+  });
 }

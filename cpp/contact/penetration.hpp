@@ -3,14 +3,14 @@
 // How B gets out of an overlap.
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contact.hpp"
-#include "cover.hpp"
 #include "exact_region.hpp"
-#include "nearest_edges.hpp"
+#include "free_place.hpp"
 #include "usable_position.hpp"
-#include "walked_lines.hpp"
 
 namespace gcv {
 
@@ -39,18 +39,25 @@ class WaysOut {
   std::vector<RingVertex> outer_ring_;
 };
 
+// The shortest translation to a place, each coordinate correctly rounded.
+Point way_to(const FreePlace& place, const Point& from, Tally& tally);
+
+// The contact in a free place: of the superset edges that hold it, the first by the owner of the
+// edge or vertex of A, the kind, and the caller's numbers. `owners` has one for each ring of A, or
+// none. No contact, but an owner, where none holds it.
+struct OwnedContact {
+  std::uint64_t owner = 0;
+  Contact contact;
+};
+OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const FreePlace& place,
+                        std::span<const std::uint64_t> owners, Tally& tally);
+
 // Finds ways out, one after the other. A translation lies in the open sum of A and the reflection
-// of B just where they overlap there. So the way out leads to the nearest place that the open sum
-// leaves of a superset edge. A best-first search by distances in doubles finds it. What these do
-// not tell apart is compared exactly.
+// of B just where they overlap there. So the way out leads to the nearest free place of that sum.
 class EscapeSearch {
  public:
   EscapeSearch(const WaysOut& ways, Tally& tally)
-      : ways_(ways),
-        tally_(tally),
-        cover_(ways.operands(), tally),
-        nearest_edges_(ways.operands(), cover_.search()),
-        known_(ways.operands(), cover_.search().slack(), tally) {}
+      : ways_(ways), tally_(tally), search_(ways.operands(), ways.wanted(), tally) {}
 
   // Of several ways out, the lexicographically smallest one. Throws Error: cancelled, internal.
   Escape find(const PlacedPair& placed, Task& task);
@@ -58,9 +65,7 @@ class EscapeSearch {
  private:
   const WaysOut& ways_;
   Tally& tally_;
-  EdgeCover cover_;
-  NearestEdges nearest_edges_;
-  WalkedLines known_;  // superset edges that were looked at: what they have within reach is found
+  FreePlaceSearch search_;
 };
 
 }  // namespace gcv

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "double_double_rounding.hpp"
 
-#include <cassert>
 #include <cmath>
 
 #include "ball.hpp"
@@ -47,13 +46,15 @@ struct Origin {
   }
 };
 
-// One coordinate of a point of the sum, shifted. One of its third summand and the shift is 0.
+// Is a shifted point the sum of three, or less?
+bool has_three_summands(const SumPoint& point, const Point& shift) {
+  return (point.c.x == 0 || shift.x == 0) && (point.c.y == 0 || shift.y == 0);
+}
+// One coordinate of that.
 Origin origin_x(const SumPoint& point, const Point& shift) {
-  assert(point.c.x == 0 || shift.x == 0);
   return {point.a.x, point.b.x, point.c.x + shift.x};
 }
 Origin origin_y(const SumPoint& point, const Point& shift) {
-  assert(point.c.y == 0 || shift.y == 0);
   return {point.a.y, point.b.y, point.c.y + shift.y};
 }
 
@@ -115,6 +116,9 @@ std::optional<RoundedNumber> rounded(const Ball& ball) {
 }
 
 std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shift) {
+  if (!has_three_summands(point, shift)) {
+    return std::nullopt;
+  }
   const auto x = origin_x(point, shift).rounded();
   const auto y = origin_y(point, shift).rounded();
   return x && y ? std::optional(RoundedVertex{*x, *y}) : std::nullopt;
@@ -123,6 +127,9 @@ std::optional<RoundedVertex> rounded_sum(const SumPoint& point, const Point& shi
 // If one of the edges is parallel to an axis, one coordinate is a sum.
 std::optional<RoundedVertex> rounded_crossing(const SumEdge& s, const SumEdge& t,
                                               const Point& shift) {
+  if (!has_three_summands(s.origin, shift) || !has_three_summands(t.origin, shift)) {
+    return std::nullopt;
+  }
   const DoubleDoubleParameter lambda = double_double_parameter(s, t);
   const Origin sx = origin_x(s.origin, shift);
   const Origin sy = origin_y(s.origin, shift);

@@ -89,6 +89,22 @@ int compare_distances(const ExactPoint& p, const ExactPoint& q, const Point& fro
   });
 }
 
+int compare_along(const Point& direction, const ExactPoint& p, const ExactPoint& q, Tally& tally) {
+  const Grid of_direction{direction};
+  Grid grid;
+  include(grid, p);
+  include(grid, q);
+  const int bits =
+      of_direction.bits() + crossing_bits(grid.bits()) + denominator_bits(grid.bits()) + 2;
+  return with_integers(bits, tally, [&]<class Integer>() {
+    const auto x = homogeneous<Integer>(grid, p, {0, 0});
+    const auto y = homogeneous<Integer>(grid, q, {0, 0});
+    const Vector<Integer> d{of_direction.integer<Integer>(direction.x),
+                            of_direction.integer<Integer>(direction.y)};
+    return sign(Integer(d.x * (x.x * y.w - y.x * x.w) + d.y * (x.y * y.w - y.y * x.w)));
+  });
+}
+
 int compare_lexicographically(const ExactPoint& p, const ExactPoint& q, Tally& tally) {
   Grid grid;
   include(grid, p);

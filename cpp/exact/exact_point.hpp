@@ -31,6 +31,8 @@ int side(const SumEdge& s, const ExactPoint& p, Tally& tally);
 
 // The sign of the distance of p from a point minus that of q.
 int compare_distances(const ExactPoint& p, const ExactPoint& q, const Point& from, Tally& tally);
+// The sign of how much further p is in a direction than q.
+int compare_along(const Point& direction, const ExactPoint& p, const ExactPoint& q, Tally& tally);
 // -1 if p comes before q, first by x, then by y.
 int compare_lexicographically(const ExactPoint& p, const ExactPoint& q, Tally& tally);
 

@@ -257,7 +257,8 @@ BoxTree Boundary::solid_boxes() const {
       const Point p = relative(i);
       box = hull_of(box, box_of(p, p));
     }
-    boxes.push_back(boxes.empty() ? Box{-infinity, -infinity, infinity, infinity} : box);
+    const bool is_outside = boxes.empty() && kind == Kind::hole;
+    boxes.push_back(is_outside ? Box{-infinity, -infinity, infinity, infinity} : box);
   }
   return BoxTree(boxes);
 }

@@ -58,8 +58,8 @@ struct Boundary {
   PointVector positions;
   PointVector relatives;
 
-  // The first ring of each solid, where there are several: the outside of the first ring, and others
-  // in no order. They may overlap. Empty if all rings bound one solid.
+  // The first ring of each solid, where there are several. They may overlap. Only the first one can
+  // be the outside of its ring. Empty if all rings bound one solid.
   std::vector<Index> solids;
   // The ring behind those of a solid.
   [[nodiscard]] Index solid_end(Index solid) const {
@@ -116,7 +116,7 @@ struct Boundary {
   struct CoverIndex {
     ChordTree chords;
     Touches touches;  // where rings of one solid touch
-    BoxTree solids;   // relative boxes of the solids, if there are several; the first is the plane
+    BoxTree solids;   // relative boxes of the solids, if there are several; an outside has the plane
   };
   [[nodiscard]] const CoverIndex& cover_index() const;
 
@@ -145,7 +145,7 @@ struct PlacedBoundary {
   Point position;
 };
 
-// All of their solids as one boundary. The first one must be the outside of a ring, at least one.
+// All of their solids as one boundary. At least one. Only the first can have an outside.
 Boundary joined(std::span<const PlacedBoundary> parts);
 
 // An outer ring and its holes as one.

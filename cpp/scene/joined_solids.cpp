@@ -88,6 +88,7 @@ WindowBorder border_from(Index first, const Boundary& reflected) {
 
 class Joining {
  public:
+  void add(const Solid& solid) { add(solid.id, solid.boundary, solid.position); }
   void add(Id owner, const Boundary& boundary, const Point& position) {
     parts_.push_back({boundary, position});
     owners_.insert(owners_.end(), boundary.layout.ring_count(), owner);
@@ -105,6 +106,10 @@ class Joining {
   Index size_ = 0;
 };
 
+std::optional<Solid> container_of(const Scene& scene, const Query& query) {
+  return query.admits_container() ? scene.container() : std::nullopt;
+}
+
 // The members whose boxes meet a box, in the order of their ids.
 std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, const Box& box) {
   std::vector<std::uint32_t> slots;
@@ -118,10 +123,20 @@ std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, co
 
 }  // namespace
 
+JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Box& box) {
+  Joining joining;
+  if (const std::optional<Solid> container = container_of(scene, query)) {
+    joining.add(*container);
+  }
+  for (const std::uint32_t slot : slots_near(scene, query, box)) {
+    joining.add(scene.solid(slot));
+  }
+  return joining.run(std::nullopt);
+}
+
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
                          const std::optional<Box>& window) {
-  const std::optional<Solid> container =
-      query.admits_container() ? scene.container() : std::nullopt;
+  const std::optional<Solid> container = container_of(scene, query);
   if (!container && !window) {
     throw Error(Status::invalid_argument,
                 "window is NULL, and there is no container: the free set is unbounded");
@@ -140,14 +155,13 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   const Box frame_box = widened_outwards(outer, margin);
   std::optional<Boundary> frame;
   if (container) {
-    joining.add(container->id, container->boundary, container->position);
+    joining.add(*container);
   } else {
     frame.emplace(outside_of(frame_box));
     joining.add(0, *frame, {0, 0});
   }
   for (const std::uint32_t slot : slots_near(scene, query, reach)) {
-    const Solid solid = scene.solid(slot);
-    joining.add(solid.id, solid.boundary, solid.position);
+    joining.add(scene.solid(slot));
   }
   if (!window) {
     return joining.run(std::nullopt);

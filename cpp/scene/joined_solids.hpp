@@ -29,4 +29,8 @@ struct JoinedSolids {
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
                          const std::optional<Box>& window);
 
+// The container, if the query admits it, and the members that it admits whose boxes meet a box.
+// There must be one of these.
+JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Box& box);
+
 }  // namespace gcv

@@ -26,21 +26,39 @@ NearestEdges::NearestEdges(const Operands& operands, WitnessSearch& search)
       below_b_(all_edges_below(b_, operands.b, operands.directions.rank_b, operands.directions)),
       scale_(scale_for_squares(extents_of(operands.relative_bounds()))) {}
 
-double NearestEdges::square_of_distance(const Box& box) const {
-  const double x = scale_ * std::max({0.0, box.x0 - from_.x, from_.x - box.x1});
-  const double y = scale_ * std::max({0.0, box.y0 - from_.y, from_.y - box.y1});
-  return x * x + y * y;
+void NearestEdges::set_goal(const Goal& goal) {
+  goal_ = goal;
+  if (!goal.is_point()) {
+    goal_.vector = unit_vector(goal.vector);
+    furthest_ = 0;
+    furthest_ = -cost(operands_.relative_bounds());
+  }
 }
 
-double NearestEdges::limit_of_squares(double reach) const {
+double NearestEdges::distance(const Point& p) const {
+  return goal_.is_point() ? std::hypot(p.x - goal_.vector.x, p.y - goal_.vector.y) : cost(p);
+}
+
+double NearestEdges::cost(const Box& box) const {
+  const auto& [x, y] = goal_.vector;
+  if (!goal_.is_point()) {
+    return cost(Point{x < 0 ? box.x0 : box.x1, y < 0 ? box.y0 : box.y1});
+  }
+  return cost(Point{std::min(std::max(x, box.x0), box.x1), std::min(std::max(y, box.y0), box.y1)});
+}
+
+double NearestEdges::limit_of_costs(double reach) const {
+  if (!goal_.is_point()) {
+    return reach + 8 * search_.slack();
+  }
   const double most = scale_ * (reach + 4 * search_.slack());
   return (1 + 0x1p-48) * most * most + std::numeric_limits<double>::min();
 }
 
 void NearestEdges::push(const Entry& entry) {
   heap_.push_back(entry);
-  if (!(entry.square >= 0)) {
-    heap_.back().square = 0;  // numbers have overflowed
+  if (std::isnan(entry.cost)) {
+    heap_.back().cost = -infinity;  // numbers have overflowed
   }
   std::push_heap(heap_.begin(), heap_.end(), is_further);
 }
@@ -66,9 +84,9 @@ void NearestEdges::look_below(ChordTree::Node a, ChordTree::Node b, double limit
       return;
     }
     const Box box = sum_of(a_.box(p), b_.box(q));
-    const double square = square_of_distance(box);
-    if (!(square > limit) && !search_.covers(box)) {
-      push({square, Entry::nodes, p, q});
+    const double least = cost(box);
+    if (!(least > limit) && !search_.covers(box)) {
+      push({least, Entry::nodes, p, q});
     }
   };
   const bool of_a = a_.extent(a) >= b_.extent(b);
@@ -83,18 +101,23 @@ NearestEdges::Nearest NearestEdges::nearest_on(const PairEdge& edge) const {
   const Point start = operands_.relative_start(edge);
   const auto [from, to] = operands_.source(edge);
   const RelativeLine line{start, to.x - from.x, to.y - from.y};
+  const Point& goal = goal_.vector;
+  if (!goal_.is_point()) {
+    const double parameter = goal.x * line.dx + goal.y * line.dy > 0 ? 1 : 0;
+    return {line, parameter, cost(line.at(parameter))};
+  }
   const double x = scale_ * line.dx;
   const double y = scale_ * line.dy;
   const double foot =
-      (x * (scale_ * (from_.x - start.x)) + y * (scale_ * (from_.y - start.y))) / (x * x + y * y);
+      (x * (scale_ * (goal.x - start.x)) + y * (scale_ * (goal.y - start.y))) / (x * x + y * y);
   const double parameter = foot > 0 ? std::min(foot, 1.0) : 0;  // 0 if it is not a number
-  return {line, parameter, square_of_distance(line.at(parameter))};
+  return {line, parameter, cost(line.at(parameter))};
 }
 
 void NearestEdges::add_edge(const PairEdge& edge, double limit) {
-  const double square = nearest_on(edge).square;
-  if (!(square > limit)) {
-    push({square, edge.kind, edge.i, edge.j});
+  const double least = nearest_on(edge).cost;
+  if (!(least > limit)) {
+    push({least, edge.kind, edge.i, edge.j});
   }
 }
 
@@ -105,26 +128,29 @@ void NearestEdges::look_at(const Entry& entry, double limit) {
   edge.is_looked_at = true;
   if (search_.slack() < infinity) {
     const PairEdge named = operands_.named(entry.edge());
-    const auto [line, parameter, square] = nearest_on(named);
+    const auto [line, parameter, least] = nearest_on(named);
     const RelativeLine back{operands_.relative_end(named), -line.dx, -line.dy};
-    edge.square = square_of_uncovered(line, parameter, limit);
-    if (edge.square > square) {
+    edge.cost = cost_of_uncovered(line, parameter, limit);
+    if (edge.cost > least) {
       const double from = std::max(0.0, (1 - parameter) - 0x1p-50);
-      edge.square = std::min(edge.square, square_of_uncovered(back, from, limit));
+      edge.cost = std::min(edge.cost, cost_of_uncovered(back, from, limit));
     }
   }
-  if (!(edge.square > limit)) {
+  if (!(edge.cost > limit)) {
     push(edge);
   }
 }
 
-double NearestEdges::square_of_uncovered(const RelativeLine& line, double from, double limit) {
-  // What is further than the limit does not matter.
-  const double length = scale_ * std::hypot(line.dx, line.dy);
-  const double until = from + (1 + 0x1p-40) * std::sqrt(limit) / length;
+double NearestEdges::cost_of_uncovered(const RelativeLine& line, double from, double limit) {
+  double until = 1;
+  if (goal_.is_point()) {
+    // What is further than the limit does not matter.
+    const double length = scale_ * std::hypot(line.dx, line.dy);
+    until = from + (1 + 0x1p-40) * std::sqrt(limit) / length;
+  }
   search_.begin(line);
   const double reached = search_.reach(from, until < 1 ? until : 1);
-  return reached < 1 ? square_of_distance(line.at(reached)) : infinity;
+  return reached < 1 ? cost(line.at(reached)) : infinity;
 }
 
 }  // namespace gcv

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The superset edges near a place that witnesses do not cover, from the nearest on.
+// The superset edges that witnesses do not cover, from the nearest to a point on, or from the
+// furthest in a direction on.
 #pragma once
 
 #include <algorithm>
@@ -12,26 +13,42 @@
 
 namespace gcv {
 
+// What is sought: the places nearest to a point, in relative coordinates, or those furthest in a
+// direction.
+struct Goal {
+  enum class Kind : std::uint8_t { point, direction };
+  Kind kind;
+  Point vector;
+
+  static Goal near(const Point& point) { return {Kind::point, point}; }
+  static Goal far(const Point& direction) { return {Kind::direction, direction}; }
+  [[nodiscard]] bool is_point() const { return kind == Kind::point; }
+};
+
 class NearestEdges {
  public:
   // O(n + m).
   NearestEdges(const Operands& operands, WitnessSearch& search);
 
-  // Calls visit(edge) for superset edges, before merging, whose distance from the point may be at
+  // How far a place is from the goal: its distance from the point, or how much less far it is than
+  // anything of the sum. Rounded: within four times the slack of the search.
+  void set_goal(const Goal& goal);
+  [[nodiscard]] double distance(const Point& p) const;
+
+  // Calls visit(edge) for superset edges, before merging, whose distance from the goal may be at
   // most `reach`, which may fall on the way: as far as no witnesses cover them, by that distance,
   // the nearest one first. Leaves out those that is_known(edge) knows, which is asked before an
-  // edge is looked at. Calls pass() after each step. The point is in relative coordinates.
+  // edge is looked at. Calls pass() after each step.
   template <class IsKnown, class Visit, class Pass>
-  void for_each(const Point& from, const double& reach, IsKnown is_known, Visit visit, Pass pass) {
-    from_ = from;
+  void for_each(const double& reach, IsKnown is_known, Visit visit, Pass pass) {
     heap_.clear();
     push({0, Entry::nodes, ChordTree::root, ChordTree::root});
     while (!heap_.empty()) {
       std::pop_heap(heap_.begin(), heap_.end(), is_further);
       const Entry entry = heap_.back();
       heap_.pop_back();
-      const double limit = limit_of_squares(reach);
-      if (entry.square > limit) {
+      const double limit = limit_of_costs(reach);
+      if (entry.cost > limit) {
         return;
       }
       if (entry.is_nodes()) {
@@ -51,7 +68,7 @@ class NearestEdges {
   // Two nodes, or an edge.
   struct Entry {
     static constexpr std::uint32_t nodes = 0;
-    double square;       // of the distance; of what witnesses leave of an edge that was looked at
+    double cost;         // of what witnesses leave of an edge, if that was looked at
     std::uint32_t kind;  // of the edge, if it is one
     std::uint32_t a;
     std::uint32_t b;
@@ -62,7 +79,7 @@ class NearestEdges {
   };
   // Of two at one distance, that which was looked at comes first.
   static bool is_further(const Entry& p, const Entry& q) {
-    return p.square > q.square || (p.square == q.square && p.is_looked_at < q.is_looked_at);
+    return p.cost > q.cost || (p.cost == q.cost && p.is_looked_at < q.is_looked_at);
   }
 
   void push(const Entry& entry);
@@ -77,21 +94,26 @@ class NearestEdges {
   struct Nearest {
     RelativeLine line;
     double parameter;
-    double square;  // of its distance
+    double cost;
   };
   [[nodiscard]] Nearest nearest_on(const PairEdge& edge) const;
-  // The square of the distance of what witnesses leave of the line from the parameter on, infinite
-  // if that is nothing within the limit.
-  double square_of_uncovered(const RelativeLine& line, double from, double limit);
+  // The cost of what witnesses leave of the line from the parameter on, infinite if that is nothing
+  // within the limit.
+  double cost_of_uncovered(const RelativeLine& line, double from, double limit);
 
-  [[nodiscard]] double square_of_distance(const Point& p) const {
-    const double x = scale_ * (p.x - from_.x);
-    const double y = scale_ * (p.y - from_.y);
+  // The cost of a place is the square of its scaled distance from a point, or its distance itself.
+  [[nodiscard]] double cost(const Point& p) const {
+    if (!goal_.is_point()) {
+      return furthest_ - (goal_.vector.x * p.x + goal_.vector.y * p.y);
+    }
+    const double x = scale_ * (p.x - goal_.vector.x);
+    const double y = scale_ * (p.y - goal_.vector.y);
     return x * x + y * y;
   }
-  [[nodiscard]] double square_of_distance(const Box& box) const;
-  // What the square of a distance up to `reach` may be in doubles.
-  [[nodiscard]] double limit_of_squares(double reach) const;
+  // That of the nearest place in a box.
+  [[nodiscard]] double cost(const Box& box) const;
+  // What the cost of places no further than that may be in doubles.
+  [[nodiscard]] double limit_of_costs(double reach) const;
 
   const Operands& operands_;
   WitnessSearch& search_;
@@ -100,7 +122,8 @@ class NearestEdges {
   std::vector<EdgesBelow> below_a_;
   std::vector<EdgesBelow> below_b_;
   double scale_;  // of distances, so that their squares are in range
-  Point from_{0, 0};
+  Goal goal_ = Goal::near({0, 0});  // a direction is a unit vector
+  double furthest_ = 0;             // that anything is, in a direction
   std::vector<Entry> heap_;
 };
 

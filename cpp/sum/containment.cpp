@@ -89,7 +89,7 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
     for (Index i = first; i < a.layout.end(a.solid_end(solid) - 1); ++i) {
       rings.pass(operands.translated(i, 0));
     }
-    add(rings, solid != 0);
+    add(rings, solid != 0 || a.kind == Boundary::Kind::outer);
   });
   return result;
 }

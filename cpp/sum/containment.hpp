@@ -6,8 +6,7 @@
 
 namespace gcv {
 
-// Is one of x - B and a solid of A inside the other, where A has several solids? The first one is
-// the outside of its first ring.
+// Is one of x - B and a solid of A inside the other, where A has several solids?
 struct Containment {
   bool of_place;  // for the place x; false if the boundaries touch where it is looked at
   bool of_germ;   // for what follows the place on its line, to the right

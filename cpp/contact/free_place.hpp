@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The free place of a sum that is nearest to a point, or furthest in a direction, found without the
+// sum. A place is free where the open sum does not cover it. The nearest one lies on a superset
+// edge. A best-first search by distances in doubles finds it. What these do not tell apart is
+// compared exactly.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cover.hpp"
+#include "exact_point.hpp"
+#include "exact_region.hpp"
+#include "exact_ring.hpp"
+#include "nearest_edges.hpp"
+#include "task.hpp"
+#include "walked_lines.hpp"
+
+namespace gcv {
+
+struct FreePlace {
+  ExactPoint point;
+  Interval distance;   // from the goal
+  PairEdge edge;       // it lies on the line of this superset edge,
+  Interval parameter;  // here
+};
+
+class FreePlaceSearch {
+ public:
+  // The operands must live longer. O(n + m).
+  FreePlaceSearch(const Operands& operands, const WantedParts& wanted, Tally& tally);
+
+  // The nearest one to a point, of several the lexicographically smallest. Nothing if there is none,
+  // or none within that distance. Without holes, it is on this ring or a fit. Throws Error:
+  // cancelled, internal.
+  std::optional<FreePlace> nearest(const Point& from, double most,
+                                   const std::vector<RingVertex>& outer_ring, Task& task);
+  // The furthest one in a direction, of several the lexicographically smallest. The free set must be
+  // bounded in it. Throws Error: cancelled, internal.
+  std::optional<FreePlace> furthest(const Point& direction, Task& task);
+
+  // Calls visit(i, j) for the pairs of edges whose sums may hold the place.
+  template <class Visit>
+  void for_each_pair_near(const FreePlace& place, Visit visit) {
+    for (const auto& [i, j] : pairs_near(place)) {
+      visit(i, j);
+    }
+  }
+  // Does a superset edge hold the point?
+  [[nodiscard]] bool holds(const PairEdge& edge, const ExactPoint& point) const;
+
+ private:
+  const std::vector<WitnessSearch::Pair>& pairs_near(const FreePlace& place);
+
+  const Operands& operands_;
+  WantedParts wanted_;
+  Tally& tally_;
+  EdgeCover cover_;
+  NearestEdges nearest_edges_;
+  WalkedLines known_;  // superset edges that were looked at: what they have within reach is found
+};
+
+}  // namespace gcv
