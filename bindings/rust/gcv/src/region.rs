@@ -230,8 +230,9 @@ impl Region {
     /// The owner of every edge of the exact parts, as in [`Region::sources`].
     ///
     /// It is the id of the member of the scene that made the edge, or
-    /// [`Scene::CONTAINER`](crate::Scene::CONTAINER). It is 0 for an edge that a window has cut,
-    /// and for what is no edge. All are 0 for regions of two polygons.
+    /// [`Scene::CONTAINER`](crate::Scene::CONTAINER); of several that made a straight edge, one
+    /// of them. It is 0 for an edge that a window has cut, and for what is no edge. All are 0
+    /// for regions of two polygons.
     ///
     /// ```
     /// use gcv::{Options, Polygon, Query, Scene};
