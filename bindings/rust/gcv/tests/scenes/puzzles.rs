@@ -4,7 +4,7 @@
 //! Pieces of puzzles. One that is taken out fits at its own place exactly.
 
 use gcv::Location::{Boundary, Outside};
-use gcv::{Options, Polygon, Query, Relation, Scene};
+use gcv::{Options, Polygon, Query, Relation, Rounding, Scene};
 
 use crate::{all, polygon, square};
 
@@ -120,4 +120,39 @@ fn ways_into_place() {
         let found = escape(Options::new().leave_out_fits(true)).unwrap();
         assert_eq!(found.depth(), f64::INFINITY);
     }
+}
+
+/// The exact place is between doubles: the piece overlaps at the nearest ones.
+#[test]
+fn places_that_no_doubles_have() {
+    let (mut pieces, mut scene) = (puzzle(NOT_MOVED), Scene::new());
+    // With less room beside the puzzle than a piece needs.
+    let container = polygon(&[[-1., -1.], [32., -1.], [32., 32.], [-1., 32.]]);
+    scene.set_container(Some(&container)).unwrap();
+    let piece = pieces.remove(4).affine([1., 0., 1., 0., 1., 1.]).unwrap();
+    let pieces: Vec<_> = pieces.iter().collect();
+    scene.add_many(&pieces, &[[0.1; 2]; 8]).unwrap();
+
+    let options = Options::new();
+    let region = scene.free_region(&piece, None, &all(), &options).unwrap();
+    let exact = "-32425917317067571/36028797018963968";
+    assert_eq!(region.exact_vertices(), [format!("{exact} {exact}")]);
+    let nearest = [0.1 - 1.; 2];
+    assert_eq!(region.points(), [nearest]);
+    assert_eq!(region.locate(&[nearest]), Ok(vec![Outside]));
+
+    let best = scene.best(&piece, [-1., 0.], &all(), &options);
+    assert_eq!(best, Ok(Some(nearest)));
+    let relation = scene.relation(&piece, nearest, &all(), &options);
+    assert_eq!(relation, Ok(Relation::Overlapping));
+    let found = scene
+        .penetration(&piece, [0., 0.], &all(), &options)
+        .unwrap();
+    assert_eq!((found.position(), found.id()), (nearest, 2));
+    assert_eq!(found.relation(), Relation::Overlapping);
+
+    let outward = Options::new().rounding(Rounding::Outward);
+    let region = scene.free_region(&piece, None, &all(), &outward).unwrap();
+    assert!(region.is_empty());
+    assert_eq!(region.stats().parts_dropped, 1);
 }
