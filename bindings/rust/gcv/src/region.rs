@@ -13,7 +13,7 @@ use crate::polygon::hash_ring;
 use crate::{stats, EdgeSource, Error, Location, Part, PartKind, Point, Polygon, Stats};
 
 /// Polygons with holes, segments and points: a whole sum, or where a polygon may go inside a
-/// container.
+/// container or in a scene.
 ///
 /// Made by [`minkowski_sum_region`](crate::minkowski_sum_region),
 /// [`no_fit_region`](crate::no_fit_region), [`entrance_region`](crate::entrance_region),
