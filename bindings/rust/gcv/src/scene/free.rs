@@ -52,7 +52,8 @@ impl Scene {
     /// `GCV_ERR_NOT_FINITE` for the window; `GCV_ERR_INVALID_ARGUMENT` for a window without area,
     /// an option, a tolerance above 0, [`Options::leave_out_holes`], and where neither a window
     /// nor a container bounds the region; `GCV_ERR_RANGE` where a coordinate of the result is no
-    /// finite `f64`; `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`. An empty region is no error.
+    /// finite `f64`, and where, rounding outward, a hole is too thin for `f64`;
+    /// `GCV_ERR_CANCELLED`; `GCV_ERR_NO_MEMORY`. An empty region is no error.
     pub fn free_region(
         &self,
         moving: &Polygon,
