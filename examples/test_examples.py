@@ -315,19 +315,34 @@ class NfpDask(Bindings):
 
 
 class MotionPlanning(Bindings):
-    def test_motion_planning(self):
-        picture = self.folder / "motion_planning.svg"
+    def plan(self, *arguments):
         done = self.succeed(os.environ["CARGO"], "run", "--locked", "--example", "motion_planning",
-                            "--features", "num-rational", "--", picture)
-        *legs, last = done.stdout.splitlines()
+                            "--features", "num-rational", "--", *arguments)
+        return done.stdout.splitlines()
+
+    def count(self, picture, *styles):
+        return [len(self.rings(picture, style)) for style in styles]
+
+    def test_path(self):
+        picture = self.folder / "motion_planning.svg"
+        *legs, last = self.plan(picture)
         self.assertEqual([leg.split(": ")[1] for leg in legs],
                          [f"{free} of the way is free"
                           for free in ("1", "1", "1", "13/18", "506/969", "1", "29/48")])
         self.assertEqual(last, f"picture: {picture}")
-        self.assertEqual([len(self.rings(picture, style)) for style in
-                          ("grown", "obstacle", "robot")], [4, 4, 8])
+        self.assertEqual(self.count(picture, "room", "hole", "fit", "obstacle", "robot"),
+                         [3, 1, 1, 4, 8])
         self.assertIn([(11, 17), (14, 20), (16, 19), (16, 11), (20, 11), (20, 24), (11, 24)],
                       self.rings(picture, "obstacle"))
+        self.assertEqual(self.rings(picture, "fit"), [[(17, 9), (22, 9)]])
+
+    def test_maze(self):
+        picture = self.folder / "maze.svg"
+        time, parts, last = self.plan("--maze", picture)
+        self.assertRegex(time, r"^10000 pieces of wall, free region in \d+\.\d{3} s$")
+        self.assertEqual(parts, "633 polygons, 37999 vertices, 1090 fits")
+        self.assertEqual(last, f"picture: {picture}")
+        self.assertEqual(self.count(picture, "room", "fit", "obstacle"), [633, 1090, 10000])
 
 
 class Polygons(TestInFolder):
