@@ -48,7 +48,8 @@ class BestFree {
 
   void known_runs(const PlacesOnLine& /*places*/, std::vector<EdgeCover::Run>& /*runs*/) {}
   Place ring(const PlacesOnLine& places, const Place& from) {
-    const Place to = cover_.end_of_free(places, from);
+    // A fit may go on where the free side ends.
+    const Place to = cover_.end_of_free(places, from, !wanted_.fits);
     if (wanted_.holes) {
       best().take(places, from, to);
     }
@@ -221,7 +222,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
-                                                  Task& task) {
+                                                  Task& task, std::uint64_t step) {
   const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
   NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, most, tally_);
@@ -235,7 +236,7 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
     known_.clear();
     nearest_edges_.for_each(
         best.reach(), [&](const PairEdge& s) { return known_.hold(s); },
-        [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(0); });
+        [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
   }
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
@@ -245,7 +246,8 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
 
 // The furthest place of a ring ends an edge that does not lead back, or begins one that leads
 // neither on nor back. So do segments, for one of two opposite directions.
-std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task) {
+std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task,
+                                                   std::uint64_t step) {
   nearest_edges_.set_goal(Goal::far(direction));
   FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, tally_);
   known_.clear();
@@ -255,7 +257,7 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task&
   };
   nearest_edges_.for_each(
       best.reach(), [&](const PairEdge& s) { return leads_back(s) || known_.hold(s); },
-      [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(0); });
+      [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }

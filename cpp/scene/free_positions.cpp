@@ -9,6 +9,7 @@
 #include "directions.hpp"
 #include "joined_solids.hpp"
 #include "placed_box.hpp"
+#include "units.hpp"
 
 namespace gcv {
 
@@ -82,6 +83,32 @@ UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) cons
                          [&](const Point& p) { return questions_.relation(p, tally); });
 }
 
+// Looks in sixteen directions, at distances that double, up to 2^12 units in the last place.
+UsablePosition FreePositions::usable_near(const ExactPoint& place, Tally& tally) const {
+  const UsablePosition nearest = usable(place, tally);
+  const auto& [position, relation] = nearest;
+  if (relation != Relation::overlapping) {
+    return nearest;
+  }
+  const double unit = std::max(unit_in_last_place(position.x), unit_in_last_place(position.y));
+  constexpr Point directions[] = {{2, 0}, {2, 1}, {2, 2}, {1, 2}};
+  for (double distance = 2; distance <= 0x1p12; distance *= 2) {
+    const double step = distance / 2 * unit;
+    for (const Point& d : directions) {
+      for (const Point& turned : {Point{d.x, d.y}, {-d.y, d.x}, {-d.x, -d.y}, {d.y, -d.x}}) {
+        const Point other{position.x + turned.x * step, position.y + turned.y * step};
+        if (std::isfinite(other.x) && std::isfinite(other.y)) {
+          const Relation there = questions_.relation(other, tally);
+          if (there != Relation::overlapping) {
+            return {other, there};
+          }
+        }
+      }
+    }
+  }
+  return nearest;
+}
+
 // Within a distance, only solids that are no further from the polygon matter. The first distance is
 // about half the size of the polygon. It is doubled until it holds a free position.
 SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tally) const {
@@ -102,7 +129,7 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
                             merge_directions(*solids.boundary, reflected_, tally)};
     FreePlaceSearch search(operands, wanted_, tally);
     const std::optional<FreePlace> place =
-        search.nearest(position, is_all ? infinity : distance, {}, task);
+        search.nearest(position, is_all ? infinity : distance, {}, task, 1);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched = contact_in(operands, search, *place, solids.owners, tally);
       return {touched.owner,
@@ -122,7 +149,7 @@ std::optional<ExactPoint> FreePositions::furthest_in(const Box& window, const Po
                     merge_directions(*solids.boundary, reflected_, tally)};
   operands.focus = solids.border->focus(operands);
   FreePlaceSearch search(operands, wanted_, tally);
-  const std::optional<FreePlace> place = search.furthest(direction, task);
+  const std::optional<FreePlace> place = search.furthest(direction, task, 1);
   return place ? std::optional(place->point) : std::nullopt;
 }
 
@@ -148,7 +175,7 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
       best = place;
     }
   }
-  return best ? std::optional(usable(*best, tally)) : std::nullopt;
+  return best ? std::optional(usable_near(*best, tally)) : std::nullopt;
 }
 
 }  // namespace gcv

@@ -193,10 +193,12 @@ class EdgeCover {
     }
   }
 
-  // What follows the place on the line is free. The next place where this may end.
-  Place end_of_free(const PlacesOnLine& places, const Place& place) {
+  // What follows the place on the line is free. The next place where this may end; if the right side
+  // counts, where that may be no longer free.
+  Place end_of_free(const PlacesOnLine& places, const Place& place, bool right_counts) {
     const Line& s = places.line();
-    return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place);
+    return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place,
+                       right_counts);
   }
 
   // What it searches with. A walk begins it anew.
