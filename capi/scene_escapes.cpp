@@ -89,24 +89,22 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     const gcv::capi::Vectors all(positions, count, name);
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
-    gcv::capi::give_all(
-        count, Task::portion, 1, known, out,
-        [&](Tally& tally, Task& task) {
-          return [&](std::size_t k) {
-            const auto [id, escape] = ways.escape(all[k], task, tally);
-            const auto& [depth, way, place, contact] = escape;
-            require_finite(place.position, name, k);
-            require_finite(contact, name, k);
-            if (id != 0) {
-              require_finite(Point{depth, 0}, name, k);
-            }
-            return gcv_escape{depth,
-                              {way.x, way.y},
-                              {place.position.x, place.position.y},
-                              static_cast<std::int32_t>(place.relation),
-                              0,
-                              gcv::capi::public_contact(contact, id)};
-          };
-        });
+    gcv::capi::give_all(count, Task::portion, 1, known, out, [&](Tally& tally, Task& task) {
+      return [&](std::size_t k) {
+        const auto [id, escape] = ways.escape(all[k], task, tally);
+        const auto& [depth, way, place, contact] = escape;
+        require_finite(place.position, name, k);
+        require_finite(contact, name, k);
+        if (id != 0) {
+          require_finite(Point{depth, 0}, name, k);
+        }
+        return gcv_escape{depth,
+                          {way.x, way.y},
+                          {place.position.x, place.position.y},
+                          static_cast<std::int32_t>(place.relation),
+                          0,
+                          gcv::capi::public_contact(contact, id)};
+      };
+    });
   });
 }

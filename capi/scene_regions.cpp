@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Free regions: gcv_scene_free_region.
-#include "scene_region.hpp"
-
 #include <cmath>
 #include <optional>
 
@@ -13,6 +11,7 @@
 #include "handles.hpp"
 #include "options.hpp"
 #include "scene_queries.hpp"
+#include "scene_region.hpp"
 #include "task.hpp"
 
 namespace {
@@ -31,8 +30,7 @@ std::optional<Box> read_window(const double window[4]) {
   constexpr const char* names[4] = {"xmin", "ymin", "xmax", "ymax"};
   for (int k = 0; k < 4; ++k) {
     if (!std::isfinite(window[k])) {
-      throw Error(Status::not_finite, "window: %s is %g, not a finite number", names[k],
-                  window[k]);
+      throw Error(Status::not_finite, "window: %s is %g, not a finite number", names[k], window[k]);
     }
   }
   for (int k = 0; k < 2; ++k) {

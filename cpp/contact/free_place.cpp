@@ -135,10 +135,10 @@ class NearestFree : public BestFree<NearestFree> {
   NearestFree(const Operands& operands, const WantedParts& wanted, EdgeCover& cover,
               const NearestEdges& edges, const Point& from, const Point& relative, double most,
               Tally& tally)
-      : BestFree(operands, wanted, cover, edges,
-                 std::min(most, distance_from_outside(operands, relative)) +
-                     8 * cover.search().slack(),
-                 tally),
+      : BestFree(
+            operands, wanted, cover, edges,
+            std::min(most, distance_from_outside(operands, relative)) + 8 * cover.search().slack(),
+            tally),
         from_(from),
         relative_(relative) {}
 

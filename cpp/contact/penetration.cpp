@@ -67,7 +67,8 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
   contact.on_a =
       contact.kind == ContactKind::edge_vertex
           ? nearest_point(place.point, negated(operands.b.vertices[edge.j]), tally)
-          : nearest_point(SumPoint{operands.a.vertices[edge.i], operands.a.position(edge.i)}, tally);
+          : nearest_point(SumPoint{operands.a.vertices[edge.i], operands.a.position(edge.i)},
+                          tally);
   contact.on_b = contact.on_a;
   return result;
 }

@@ -88,8 +88,7 @@ class OverlapSearch {
     const bool by_x = p.a.x != p_end.a.x;
     const bool forwards = by_x ? p.a.x < p_end.a.x : p.a.y < p_end.a.y;
     const auto compare = [&](const SumPoint& u, const SumPoint& v) {
-      const int order = by_x ? compare_x(u, v, tally_)
-                             : compare_y(u, v, tally_);
+      const int order = by_x ? compare_x(u, v, tally_) : compare_y(u, v, tally_);
       return forwards ? order : -order;
     };
     const int start_to_start = compare(q, p);

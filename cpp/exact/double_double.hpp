@@ -49,8 +49,8 @@ inline double rounded_sum(double w, double x, double y, double z) {
   return ((parts[0] + parts[1]) + parts[2]) + parts[3];
 }
 
-// The number hi + lo: a difference, or a sum of two or three differences. It is off by at most 14u^2
-// size. It is exact if `is_exact`.
+// The number hi + lo: a difference, or a sum of two or three differences. It is off by at most
+// 14u^2 size. It is exact if `is_exact`.
 struct DoubleDouble {
   double hi;
   double lo;

@@ -155,8 +155,7 @@ int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
 bool is_zero(const Gap& gap, Tally& tally) {
   const SumPoint& p = gap.edge.origin;
   const SumPoint& q = gap.point;
-  return gap.is_to_line ? side(gap.edge, q, tally) == 0
-                        : are_equal(p, q, tally);
+  return gap.is_to_line ? side(gap.edge, q, tally) == 0 : are_equal(p, q, tally);
 }
 
 // Rounding is monotonic: if the rounded gap is not the distance, it decides.

@@ -179,8 +179,7 @@ int compare_sums(double a, double b, double c, double d, double e, double f, Tal
   const double y = b - e;
   const double z = c - f;
   const double difference = (x + y) + z;
-  if (std::abs(difference) >
-      4 * unit_roundoff * ((std::abs(x) + std::abs(y)) + std::abs(z))) {
+  if (std::abs(difference) > 4 * unit_roundoff * ((std::abs(x) + std::abs(y)) + std::abs(z))) {
     ++tally.filtered;
     return sign_of(difference);
   }

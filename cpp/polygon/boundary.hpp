@@ -54,8 +54,8 @@ struct Boundary {
   };
   Buffer<Corner> corners;
 
-  // Where boundaries are joined at positions: that of each vertex, which is added to it exactly, and
-  // each vertex at its position, relative to vertex 0 at its own, rounded.
+  // Where boundaries are joined at positions: that of each vertex, which is added to it exactly,
+  // and each vertex at its position, relative to vertex 0 at its own, rounded.
   PointVector positions;
   PointVector relatives;
 
@@ -85,9 +85,7 @@ struct Boundary {
     return positions.empty() ? Point{0, 0} : positions[i];
   }
   // What is subtracted from `bounds` to make it relative to vertex 0.
-  [[nodiscard]] Point origin() const {
-    return positions.empty() ? vertices.front() : Point{0, 0};
-  }
+  [[nodiscard]] Point origin() const { return positions.empty() ? vertices.front() : Point{0, 0}; }
 
   [[nodiscard]] Box relative_bounds() const {
     const Point p = origin();
@@ -125,7 +123,7 @@ struct Boundary {
   struct CoverIndex {
     ChordTree chords;
     Touches touches;  // where rings of one solid touch
-    BoxTree solids;   // relative boxes of the solids, if there are several; an outside has the plane
+    BoxTree solids;  // relative boxes of the solids, if there are several; an outside has the plane
   };
   [[nodiscard]] const CoverIndex& cover_index() const;
 

@@ -47,7 +47,9 @@ class Slabs {
     const double from = low;
     const double step = (high - low) / static_cast<double>(count_);
     const auto border = [&](std::size_t number) {
-      return number == 0 ? from : number == count_ ? high : from + static_cast<double>(number) * step;
+      return number == 0        ? from
+             : number == count_ ? high
+                                : from + static_cast<double>(number) * step;
     };
     const std::size_t number = is_upwards_ ? count_ - 1 - k : k;
     const double end = border(number + 1);
@@ -158,8 +160,8 @@ std::optional<ExactPoint> FreePositions::furthest_in(const Box& window, const Po
 // them are fine.
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
                                                       Tally& tally) const {
-  const Slabs slabs(positions_in(scene_.container()->boundary.bounds, moving_.bounds), moving_.bounds,
-                    direction);
+  const Slabs slabs(positions_in(scene_.container()->boundary.bounds, moving_.bounds),
+                    moving_.bounds, direction);
   std::optional<ExactPoint> best;
   for (std::size_t k = 0; k < slabs.count(); ++k) {
     const Box slab = slabs.box(k);

@@ -45,7 +45,7 @@ Boundary outside_of(const Box& box) {
 // Two solids, each at a corner of the window. A polygon with that box overlaps neither where it is
 // at a position in the window. They reach from there beyond a box `outer`.
 struct WindowSolids {
-  Point low;   // their positions
+  Point low;  // their positions
   Point high;
   Boundary below;  // left of the window and below it
   Boundary above;  // right of it and above it

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A grid over the sum, or over the part of it that is looked at, and cells of it that lie in the open sum int A + int B: parts of the sum of
-// a cell inside A and a cell inside B, and cells inside witnesses. Together they cover lines and
-// boxes that no witness covers alone.
+// A grid over the sum, or over the part of it that is looked at, and cells of it that lie in the
+// open sum int A + int B: parts of the sum of a cell inside A and a cell inside B, and cells inside
+// witnesses. Together they cover lines and boxes that no witness covers alone.
 #pragma once
 
 #include <cstddef>

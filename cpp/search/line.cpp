@@ -33,7 +33,8 @@ void LineSearch::go_to(const PairEdge& edge) {
   for (Index k = 0; k < a_.size(); ++k) {
     const Index i = a_.representative(k);
     int order = -1;
-    while (right > 0 && (order = side(line, operands_.point({i, b_.representative(right - 1)}), tally)) >= 0) {
+    while (right > 0 &&
+           (order = side(line, operands_.point({i, b_.representative(right - 1)}), tally)) >= 0) {
       --right;
       if (order == 0) {
         matches_.push_back({k, right});

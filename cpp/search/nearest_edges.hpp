@@ -35,10 +35,10 @@ class NearestEdges {
   void set_goal(const Goal& goal);
   [[nodiscard]] double distance(const Point& p) const;
 
-  // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may be at
-  // most `reach`, which may fall on the way: as far as no witnesses cover them, by that distance,
-  // the nearest one first. Leaves out those that is_known(edge) knows, which is asked before an
-  // edge is looked at. Calls pass() after each step.
+  // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may
+  // be at most `reach`, which may fall on the way: as far as no witnesses cover them, by that
+  // distance, the nearest one first. Leaves out those that is_known(edge) knows, which is asked
+  // before an edge is looked at. Calls pass() after each step.
   template <class IsKnown, class Visit, class Pass>
   void for_each(const double& reach, IsKnown is_known, Visit visit, Pass pass) {
     heap_.clear();
@@ -121,7 +121,7 @@ class NearestEdges {
   const ChordTree& b_;
   std::vector<EdgesBelow> below_a_;
   std::vector<EdgesBelow> below_b_;
-  double scale_;  // of distances, so that their squares are in range
+  double scale_;                    // of distances, so that their squares are in range
   Goal goal_ = Goal::near({0, 0});  // a direction is a unit vector
   double furthest_ = 0;             // that anything is, in a direction
   std::vector<Entry> heap_;

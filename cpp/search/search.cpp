@@ -19,8 +19,8 @@ Search::Search(const SearchableSuperset& superset)
 }
 
 // Of a convex polygon and another one, no more than a few superset edges overlap anywhere: one edge
-// of the convex one has a direction, and the edges of the other one do not overlap. The search along
-// lines sorts vertices, which boundaries at several positions have not in one order.
+// of the convex one has a direction, and the edges of the other one do not overlap. The search
+// along lines sorts vertices, which boundaries at several positions have not in one order.
 std::optional<Search::Continuation> Search::continued(const PairEdge& s, const VertexSum& place) {
   if (!superset_.product() || operands_.a.is_convex || operands_.b.is_convex ||
       !operands_.a.positions.empty()) {

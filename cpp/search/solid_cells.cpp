@@ -97,8 +97,7 @@ class Rasteriser {
     const double left = std::min(p.x, q.x);
     const double right = std::max(p.x, q.x);
     // What is left of the box tells what is inside.
-    if (left > (columns_ + 1) * size_.x || low.y > (rows_ + 1) * size_.y ||
-        high.y < -size_.y) {
+    if (left > (columns_ + 1) * size_.x || low.y > (rows_ + 1) * size_.y || high.y < -size_.y) {
       return;
     }
     const auto x_at = [&](double y) {

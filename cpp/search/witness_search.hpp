@@ -40,10 +40,10 @@ class WitnessSearch {
   // The last of these.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
-  // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the half-plane
-  // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
-  // those that lie in witnesses that were found until then. Calls pass(pairs) with the number of
-  // pairs of edges that it is done with; in all, that is all of them.
+  // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the
+  // half-plane that begins with a rank: from that on counter-clockwise, without the opposite rank.
+  // Passes over those that lie in witnesses that were found until then. Calls pass(pairs) with the
+  // number of pairs of edges that it is done with; in all, that is all of them.
   template <class Visit, class Pass>
   void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
 

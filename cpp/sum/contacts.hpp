@@ -124,9 +124,8 @@ class BlockedDirections {
   }
   // Are the directions next to it, counter-clockwise, blocked?
   [[nodiscard]] bool hold_left_of(Rank rank) const {
-    return any([&](const DirectionArc& arc) {
-      return directions_.angle(arc.from, rank) < arc.length;
-    });
+    return any(
+        [&](const DirectionArc& arc) { return directions_.angle(arc.from, rank) < arc.length; });
   }
   // Is every direction blocked but single ones?
   [[nodiscard]] bool hold_almost_all() const {

@@ -31,8 +31,8 @@ class PointInRings {
       const int from_order = places_.compare(Place::of(from), place_);
       const int to_order = places_.compare(Place::of(to), place_);
       is_on_ring_ = is_on_ring_ || from_order * to_order <= 0;
-      runs_along_ = runs_along_ || (std::min(from_order, to_order) <= 0 &&
-                                    std::max(from_order, to_order) > 0);
+      runs_along_ = runs_along_ ||
+                    (std::min(from_order, to_order) <= 0 && std::max(from_order, to_order) > 0);
       meet(Place::of(from), from_order);
       meet(Place::of(to), to_order);
       return;

@@ -17,8 +17,8 @@ struct Containment {
   std::optional<Place> end;
 };
 
-// The box holds the place, in relative coordinates. Solids of the vertices of A from `seen` on do not
-// count. O(n + m) for each solid whose box is near.
+// The box holds the place, in relative coordinates. Solids of the vertices of A from `seen` on do
+// not count. O(n + m) for each solid whose box is near.
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
                            const Box& around, Index seen, Tally& tally);
 

@@ -205,7 +205,8 @@ bool EdgeCover::is_at(const PlacesOnLine& places, const Place& place, const Vert
   if (place.is_sum && place.sum == sum) {
     return true;
   }
-  return side(places.line().at, operands_.point(sum), tally_) == 0 && places.compare(place, Place::of(sum)) == 0;
+  return side(places.line().at, operands_.point(sum), tally_) == 0 &&
+         places.compare(place, Place::of(sum)) == 0;
 }
 
 bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place,

@@ -193,8 +193,8 @@ class EdgeCover {
     }
   }
 
-  // What follows the place on the line is free. The next place where this may end; if the right side
-  // counts, where that may be no longer free.
+  // What follows the place on the line is free. The next place where this may end; if the right
+  // side counts, where that may be no longer free.
   Place end_of_free(const PlacesOnLine& places, const Place& place, bool right_counts) {
     const Line& s = places.line();
     return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place,
@@ -284,7 +284,7 @@ class EdgeCover {
   WitnessSearch search_;
   std::span<const WitnessSearch::Pair> pairs_;
   std::vector<WitnessSearch::Pair> seen_pairs_;  // if some are not
-  std::vector<Run> runs_;  // of the edge that is walked
+  std::vector<Run> runs_;                        // of the edge that is walked
 };
 
 }  // namespace gcv

@@ -34,7 +34,8 @@ class CoincidingEdges {
     EdgeName first = leaving;
     superset_.search(piece, [&](Index i, Index j) {
       superset_.for_each_edge(i, j, [&](const PairEdge& e) {
-        if (e.rank == leaving.rank && key(e) < key(first) && are_equal(operands_.end(e), end, tally_) &&
+        if (e.rank == leaving.rank && key(e) < key(first) &&
+            are_equal(operands_.end(e), end, tally_) &&
             side(line, operands_.start(e), tally_) != away) {
           first = e;
         }

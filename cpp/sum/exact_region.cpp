@@ -208,8 +208,8 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
 }
 
-void find_free_parts(const Operands& operands, const WindowBorder* border, const WantedParts& wanted,
-                     Task& task, Counts& counts, ExactRegion& region) {
+void find_free_parts(const Operands& operands, const WindowBorder* border,
+                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   Finder finder(operands, task, tally);
   EdgeCover cover(operands, tally, border);

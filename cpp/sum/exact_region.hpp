@@ -31,9 +31,9 @@ void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region);
 void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region);
 
-// Adds the parts of the free set, where the first solid of A is the outside of a container. With the
-// border of a window, the parts of what lies in it.
-void find_free_parts(const Operands& operands, const WindowBorder* border, const WantedParts& wanted,
-                     Task& task, Counts& counts, ExactRegion& region);
+// Adds the parts of the free set, where the first solid of A is the outside of a container. With
+// the border of a window, the parts of what lies in it.
+void find_free_parts(const Operands& operands, const WindowBorder* border,
+                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region);
 
 }  // namespace gcv

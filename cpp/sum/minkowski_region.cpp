@@ -129,8 +129,9 @@ Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, cons
   return region;
 }
 
-Region free_region(const Operand& solids, const WindowBorder* border, const RegionOperand& reflected,
-                   const Point& shift, const RegionOptions& options, Task& task) {
+Region free_region(const Operand& solids, const WindowBorder* border,
+                   const RegionOperand& reflected, const Point& shift, const RegionOptions& options,
+                   Task& task) {
   task.begin(estimated_cover_steps(*solids.ring, reflected.polygon->boundary()));
   Region region;
   Tally& tally = region.counts.predicates;

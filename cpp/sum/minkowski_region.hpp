@@ -38,9 +38,9 @@ struct Region {
 
   // That of the edge that leaves an exact vertex. 0 without a scene.
   [[nodiscard]] std::uint64_t owner(std::size_t vertex) const {
-    return owners.empty() ? 0
-                          : owners[exact.a.ring->layout.ring_of(
-                                exact.vertices[vertex].leaving().i)];
+    return owners.empty()
+               ? 0
+               : owners[exact.a.ring->layout.ring_of(exact.vertices[vertex].leaving().i)];
   }
 };
 
@@ -61,8 +61,9 @@ Region minkowski_sum_region(const RegionOperand& a, const RegionOperand& b, cons
 
 // Where a polygon overlaps no solid: the free set. The first solid is the outside of a container.
 // With the border of a window, what lies in that. Throws Error: range, cancelled, internal.
-Region free_region(const Operand& solids, const WindowBorder* border, const RegionOperand& reflected,
-                   const Point& shift, const RegionOptions& options, Task& task);
+Region free_region(const Operand& solids, const WindowBorder* border,
+                   const RegionOperand& reflected, const Point& shift, const RegionOptions& options,
+                   Task& task);
 
 // Where `shift` goes if the polygon that `reflected` reflects moves inside the container. Throws
 // Error: range, cancelled, internal.

@@ -14,7 +14,7 @@
 namespace gcv {
 
 struct WindowBorder {
-  Box window;   // of points of the sum
+  Box window;                     // of points of the sum
   Index first;                    // the vertices of A from this one on are those of the window
   std::array<EdgeName, 4> sides;  // superset edges along them, the window on the right
 

@@ -1067,8 +1067,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_edge_sources(const gcv_region *regio
 
 /**
  * The owner of every edge of the exact region: of a scene, the id of the member that made it, 1 for
- * the container, 0 for a window. Of several that made an edge, or parts of it, one is named. Regions of two polygons come from no scene: all of their owners
- * are 0. So are those of what is no edge, as in gcv_region_edge_sources.
+ * the container, 0 for a window. Of several that made an edge, or parts of it, one is named.
+ * Regions of two polygons come from no scene: all of their owners are 0. So are those of what is no
+ * edge, as in gcv_region_edge_sources.
  *
  * @param ids       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
@@ -1592,7 +1593,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint6
  * cannot reach from there is not looked at.
  *
  * gcv_region_edge_owners names the member that made each edge. Of the sources, a is in that member
- * or in the container, b in `moving`. Edges that the window has cut have the owner 0 and the kind 0.
+ * or in the container, b in `moving`. Edges that the window has cut have the owner 0 and the kind
+ * 0.
  *
  * @param moving   the polygon.
  * @param window   xmin ymin xmax ymax, of positions, finite, xmin < xmax, ymin < ymax; or NULL.
@@ -1607,18 +1609,15 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint6
  * Exactness: as gcv_inner_fit_region. Cost: that of the inner fit of a container with all vertices
  * of the members that can be reached. Threads: any. @since 0.2
  */
-GCV_API GCV_NODISCARD gcv_status gcv_scene_free_region(const gcv_scene *scene,
-                                                       const gcv_polygon *moving,
-                                                       const double window[4],
-                                                       const gcv_query *query,
-                                                       const gcv_options *options,
-                                                       gcv_region **out);
+GCV_API GCV_NODISCARD gcv_status
+gcv_scene_free_region(const gcv_scene *scene, const gcv_polygon *moving, const double window[4],
+                      const gcv_query *query, const gcv_options *options, gcv_region **out);
 
 /**
  * The free position of a polygon that is furthest in a direction: the one of
  * gcv_scene_free_region for which x * direction[0] + y * direction[1] is largest; of several, the
- * lexicographically smallest. Found without the region. Direction -1 0 places bottom-left: leftmost,
- * and of these lowest.
+ * lexicographically smallest. Found without the region. Direction -1 0 places bottom-left:
+ * leftmost, and of these lowest.
  *
  * The position is in doubles, and the polygon overlaps nothing there. It is within 2 units in the
  * last place of the exact one where such a position is free. Else it is the nearest one that was
@@ -1700,9 +1699,11 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_distance(
  * Exactness: as gcv_penetration. Cost: that of the superset edges as near as the way out.
  * Threads: any. @since 0.2
  */
-GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(
-    const gcv_scene *scene, const gcv_polygon *moving, const double *positions, size_t count,
-    const gcv_query *query, const gcv_options *options, gcv_escape *out);
+GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(const gcv_scene *scene,
+                                                       const gcv_polygon *moving,
+                                                       const double *positions, size_t count,
+                                                       const gcv_query *query,
+                                                       const gcv_options *options, gcv_escape *out);
 
 /**
  * How far a polygon can move along a motion before it overlaps a member or the container: gcv_cast
