@@ -26,12 +26,10 @@ inline std::uint64_t translations_a_report(std::uint64_t size_a, std::uint64_t s
 }
 
 // Writes to out[k], for each k below `count`, once all are known, what answer(k, tally, task)
-// gives. begin(tally) makes the answer for some of them, which it serves one after the other.
+// gives. begin(tally) makes the answer for some of them, a block, which it serves one after the other.
 template <class Begin, class Result>
-void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
-              Begin begin) {
-  constexpr std::uint64_t most = 128;  // at a time
-  const auto block = static_cast<std::size_t>(std::min(a_report, most));
+void give_all(std::size_t count, std::uint64_t a_report, std::size_t block,
+              const gcv_options& options, Result* out, Begin begin) {
   constexpr std::size_t few = 8;  // that need no memory of their own
   Task task(threads_of(options), options.progress, options.progress_context, a_report);
   task.begin(count);
@@ -51,6 +49,14 @@ void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& opti
                        [&] { task.watch(); });
   task.finish();
   std::copy(results.begin(), results.end(), out);
+}
+
+// The same. What is reported are answers.
+template <class Begin, class Result>
+void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
+              Begin begin) {
+  constexpr std::uint64_t most = 128;
+  give_all(count, a_report, static_cast<std::size_t>(std::min(a_report, most)), options, out, begin);
 }
 
 // Throws Error: range, where a number of the contact is beyond the largest double.

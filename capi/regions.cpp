@@ -104,13 +104,11 @@ std::vector<gcv_edge_source> public_sources(const gcv::Region& region) {
   return result;
 }
 
-std::vector<std::uint64_t> owners_of(const gcv::Region& region) {
-  std::vector<std::uint64_t> owners(region.exact.size());
-  for (std::size_t k = 0; k < owners.size(); ++k) {
-    owners[k] = region.owner(k);
+void write_owners(const gcv::Region& region, std::uint64_t* to) {
+  for (std::size_t k = 0; k < region.exact.size(); ++k) {
+    to[k] = region.owner(k);
   }
-  for_each_without_edge(region.exact, [&](std::size_t k) { owners[k] = 0; });
-  return owners;
+  for_each_without_edge(region.exact, [&](std::size_t k) { to[k] = 0; });
 }
 
 std::vector<Point> read_points(const double* xy, std::size_t count) {
@@ -195,10 +193,7 @@ gcv_status gcv_region_edge_owners(const gcv_region* region, uint64_t* ids, size_
   return guarded<CallersFloatingPoint>([&] {
     require(region, "region");
     fill(region->region.exact.size(), "edges", "ids", ids, capacity, required,
-         [&](std::uint64_t* to) {
-           const std::vector<std::uint64_t> owners = owners_of(region->region);
-           std::copy(owners.begin(), owners.end(), to);
-         });
+         [&](std::uint64_t* to) { write_owners(region->region, to); });
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Free positions in a scene: gcv_scene_best, gcv_scene_penetration.
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -9,6 +8,7 @@
 #include "answers.hpp"
 #include "contacts.hpp"
 #include "error.hpp"
+#include "finite_point.hpp"
 #include "free_positions.hpp"
 #include "gcv/gcv.h"
 #include "guard.hpp"
@@ -32,7 +32,7 @@ using gcv::capi::require_finite;
 constexpr const char* name = "positions";  // in messages
 
 Point read_direction(const double direction[2]) {
-  const Point result = gcv::capi::Vectors(direction, 1, "direction")[0];
+  const Point result = gcv::finite_point({direction[0], direction[1]}, "direction");
   if (result == Point{0, 0}) {
     throw Error(Status::invalid_argument, "direction is 0 0");
   }
@@ -58,7 +58,7 @@ gcv_status gcv_scene_best(const gcv_scene* scene, const gcv_polygon* moving,
                   "the scene has no container for this query: nothing bounds the positions");
     }
     Task task(gcv::capi::threads_of(known), known.progress, known.progress_context);
-    task.begin(1);
+    task.begin(scene->scene.size() + 1);
     const FreePositions positions(scene->scene, asked, *moving->polygon, *moving->reflected(),
                                   gcv::capi::wanted_parts(known).fits);
     Tally tally;
@@ -89,9 +89,8 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     const gcv::capi::Vectors all(positions, count, name);
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
-    const std::size_t size = moving->polygon->boundary().size();
     gcv::capi::give_all(
-        count, gcv::capi::translations_a_report(size, size), known, out,
+        count, Task::portion, 1, known, out,
         [&](Tally& tally, Task& task) {
           return [&](std::size_t k) {
             const auto [id, escape] = ways.escape(all[k], task, tally);

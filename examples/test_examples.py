@@ -11,10 +11,11 @@ from fractions import Fraction
 from pathlib import Path
 from xml.etree import ElementTree
 
+from test_cases import HERE, SVG, Bindings, TestInFolder
+from test_nesting import Nesting  # noqa: F401, run from here
+
 PROGRAMS = Path(os.environ["GCV_EXAMPLES"])
-HERE = Path(__file__).parent
 POLYGONS = HERE / "polygons"
-SVG = "{http://www.w3.org/2000/svg}"
 
 # Every shipped polygon is in one of the pairs that belong together.
 PAIRS = [
@@ -58,22 +59,6 @@ def rings(text):
     closed = list(map(points, match[1].split("), (")))
     assert all(ring[0] == ring[-1] for ring in closed)
     return [ring[:-1] for ring in closed]
-
-
-class TestInFolder(unittest.TestCase):
-    """A test with a folder for its files, and a square and a triangle in it."""
-
-    def setUp(self):
-        holder = tempfile.TemporaryDirectory()
-        self.addCleanup(holder.cleanup)
-        self.folder = Path(holder.name)
-        self.square = self.write("square.wkt", "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))")
-        self.triangle = self.write("triangle.wkt", "POLYGON ((0 0, 1 0, 0 1, 0 0))")
-
-    def write(self, name, text):
-        path = self.folder / name
-        path.write_text(text, encoding="utf-8")
-        return path
 
 
 class Programs(unittest.TestCase):
@@ -299,33 +284,6 @@ class Failures(TestInFolder):
         self.assert_failure(done, "standard output")
 
 
-class Bindings(TestInFolder):
-    """The examples in Python and Rust."""
-
-    def succeed(self, *command):
-        done = subprocess.run([*map(str, command)], text=True, capture_output=True, check=False,
-                              timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def rings(self, path, style=None):
-        """The paths in a picture, those of a class if one is given."""
-        return [[tuple(map(float, pair.split())) for pair in drawn.get("d").strip("MZ").split("L")]
-                for drawn in ElementTree.parse(path).iter(f"{SVG}path")
-                if drawn.get("class") == style]
-
-
-class Nesting(Bindings):
-    def test_nesting(self):
-        picture = self.folder / "nesting.svg"
-        done = self.succeed(sys.executable, HERE / "nesting.py", "--svg", picture)
-        self.assertEqual(done.stdout, "12 parts, length 7387246/114345 (about 64.605): "
-                                      f"{picture}\n")
-        rings = self.rings(picture)
-        self.assertEqual(len(rings), 12)
-        self.assertEqual(max(point for ring in rings for point in ring)[0], 7387246 / 114345)
-
-
 class Contacts(Bindings):
     def test_the_same_as_in_c(self):
         pictures = [self.folder / f"{language}.svg" for language in ("python", "c")]
@@ -357,19 +315,34 @@ class NfpDask(Bindings):
 
 
 class MotionPlanning(Bindings):
-    def test_motion_planning(self):
-        picture = self.folder / "motion_planning.svg"
+    def plan(self, *arguments):
         done = self.succeed(os.environ["CARGO"], "run", "--locked", "--example", "motion_planning",
-                            "--features", "num-rational", "--", picture)
-        *legs, last = done.stdout.splitlines()
+                            "--features", "num-rational", "--", *arguments)
+        return done.stdout.splitlines()
+
+    def count(self, picture, *styles):
+        return [len(self.rings(picture, style)) for style in styles]
+
+    def test_path(self):
+        picture = self.folder / "motion_planning.svg"
+        *legs, last = self.plan(picture)
         self.assertEqual([leg.split(": ")[1] for leg in legs],
                          [f"{free} of the way is free"
                           for free in ("1", "1", "1", "13/18", "506/969", "1", "29/48")])
         self.assertEqual(last, f"picture: {picture}")
-        self.assertEqual([len(self.rings(picture, style)) for style in
-                          ("grown", "obstacle", "robot")], [4, 4, 8])
+        self.assertEqual(self.count(picture, "room", "hole", "fit", "obstacle", "robot"),
+                         [3, 1, 1, 4, 8])
         self.assertIn([(11, 17), (14, 20), (16, 19), (16, 11), (20, 11), (20, 24), (11, 24)],
                       self.rings(picture, "obstacle"))
+        self.assertEqual(self.rings(picture, "fit"), [[(17, 9), (22, 9)]])
+
+    def test_maze(self):
+        picture = self.folder / "maze.svg"
+        time, parts, last = self.plan("--maze", picture)
+        self.assertRegex(time, r"^10000 pieces of wall, free region in \d+\.\d{3} s$")
+        self.assertEqual(parts, "633 polygons, 37999 vertices, 1090 fits")
+        self.assertEqual(last, f"picture: {picture}")
+        self.assertEqual(self.count(picture, "room", "fit", "obstacle"), [633, 1090, 10000])
 
 
 class Polygons(TestInFolder):

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 
-#include "double_double.hpp"
 #include "gap.hpp"
 #include "predicates.hpp"
 
@@ -14,14 +13,6 @@ namespace gcv {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-// Seen from the sum of the first vertices, as relative coordinates are.
-Point relative_place(const Operands& operands, const Point& p) {
-  const Point& a = operands.a.vertices.front();
-  const Point& b = operands.b.vertices.front();
-  const Point c = operands.a.position(0);
-  return {rounded_sum(p.x, -a.x, -b.x, -c.x), rounded_sum(p.y, -a.y, -b.y, -c.y)};
-}
 
 // How far the nearest side of the box of the sum is, if all is free outside of it.
 double distance_from_outside(const Operands& operands, const Point& p) {
@@ -57,7 +48,8 @@ class BestFree {
 
   void known_runs(const PlacesOnLine& /*places*/, std::vector<EdgeCover::Run>& /*runs*/) {}
   Place ring(const PlacesOnLine& places, const Place& from) {
-    const Place to = cover_.end_of_free(places, from);
+    // A fit may go on where the free side ends.
+    const Place to = cover_.end_of_free(places, from, !wanted_.fits);
     if (wanted_.holes) {
       best().take(places, from, to);
     }
@@ -230,8 +222,8 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
-                                                  Task& task) {
-  const Point relative = relative_place(operands_, from);
+                                                  Task& task, std::uint64_t step) {
+  const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
   NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, most, tally_);
   for (std::size_t k = 0; k < outer_ring.size(); ++k) {
@@ -244,7 +236,7 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
     known_.clear();
     nearest_edges_.for_each(
         best.reach(), [&](const PairEdge& s) { return known_.hold(s); },
-        [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(0); });
+        [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
   }
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
@@ -254,7 +246,8 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
 
 // The furthest place of a ring ends an edge that does not lead back, or begins one that leads
 // neither on nor back. So do segments, for one of two opposite directions.
-std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task) {
+std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task,
+                                                   std::uint64_t step) {
   nearest_edges_.set_goal(Goal::far(direction));
   FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, tally_);
   known_.clear();
@@ -264,7 +257,7 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task&
   };
   nearest_edges_.for_each(
       best.reach(), [&](const PairEdge& s) { return leads_back(s) || known_.hold(s); },
-      [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(0); });
+      [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }

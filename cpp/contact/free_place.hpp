@@ -6,6 +6,7 @@
 // compared exactly.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -31,14 +32,17 @@ class FreePlaceSearch {
   // The operands must live longer. O(n + m).
   FreePlaceSearch(const Operands& operands, const WantedParts& wanted, Tally& tally);
 
+  // Each step of a search counts as `step` steps of the task.
+  //
   // The nearest one to a point, of several the lexicographically smallest. Nothing if there is none,
   // or none within that distance. Without holes, it is on this ring or a fit. Throws Error:
   // cancelled, internal.
   std::optional<FreePlace> nearest(const Point& from, double most,
-                                   const std::vector<RingVertex>& outer_ring, Task& task);
+                                   const std::vector<RingVertex>& outer_ring, Task& task,
+                                   std::uint64_t step);
   // The furthest one in a direction, of several the lexicographically smallest. The free set must be
   // bounded in it. Throws Error: cancelled, internal.
-  std::optional<FreePlace> furthest(const Point& direction, Task& task);
+  std::optional<FreePlace> furthest(const Point& direction, Task& task, std::uint64_t step);
 
   // Calls visit(i, j) for the pairs of edges whose sums may hold the place.
   template <class Visit>

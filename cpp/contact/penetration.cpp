@@ -89,7 +89,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     return {0, {0, 0}, usable_position(placed.pair, start, tally_), {}};
   }
   const std::optional<FreePlace> place =
-      search_.nearest(from, std::numeric_limits<double>::infinity(), ways_.outer_ring(), task);
+      search_.nearest(from, std::numeric_limits<double>::infinity(), ways_.outer_ring(), task, 0);
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -77,12 +78,20 @@ struct Boundary {
   [[nodiscard]] Index next(Index i) const { return layout.next(i); }
   [[nodiscard]] Index previous(Index i) const { return layout.previous(i); }
 
+  // Relative bounds of all solids but the outside, where there are more.
+  std::optional<Box> crowd;
+
   [[nodiscard]] Point position(Index i) const {
     return positions.empty() ? Point{0, 0} : positions[i];
   }
   // What is subtracted from `bounds` to make it relative to vertex 0.
   [[nodiscard]] Point origin() const {
     return positions.empty() ? vertices.front() : Point{0, 0};
+  }
+
+  [[nodiscard]] Box relative_bounds() const {
+    const Point p = origin();
+    return {bounds.x0 - p.x, bounds.y0 - p.y, bounds.x1 - p.x, bounds.y1 - p.y};
   }
 
   // Vertex i relative to vertex 0, rounded. Searches filter with it, so that they filter as well

@@ -3,6 +3,7 @@
 // How the vertices of several closed rings lie in one array, one ring after the other.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -20,7 +21,9 @@ class RingLayout {
   void add(Index size) {
     if (ends_.empty()) {
       ends_.push_back(first_end_);
+      rings_.assign(first_end_, 0);
     }
+    rings_.resize(std::size_t{ends_.back()} + size, ring_count());
     ends_.push_back(ends_.back() + size);
   }
 
@@ -33,13 +36,13 @@ class RingLayout {
   [[nodiscard]] Index begin(Index ring) const { return ring == 0 ? 0 : end(ring - 1); }
   [[nodiscard]] Index end(Index ring) const { return ends_.empty() ? first_end_ : ends_[ring]; }
   // The ring of a vertex.
-  [[nodiscard]] Index ring_of(Index i) const { return i < first_end_ ? 0 : later_ring_of(i); }
+  [[nodiscard]] Index ring_of(Index i) const { return i < first_end_ ? 0 : rings_[i]; }
   // Is it the first vertex of a ring behind others?
   [[nodiscard]] bool starts_another(Index i) const {
     return i >= first_end_ && begin(ring_of(i)) == i;
   }
 
-  // The neighbours of a vertex on its ring. O(1) on the first ring, else O(log rings).
+  // The neighbours of a vertex on its ring.
   [[nodiscard]] Index next(Index i) const {
     if (i + 1 < first_end_) {
       return i + 1;
@@ -67,12 +70,12 @@ class RingLayout {
 
  private:
   // Apart from the code of the first ring, which is that of polygons without holes.
-  [[nodiscard, gnu::cold]] Index later_ring_of(Index i) const;
   [[nodiscard, gnu::cold]] Index next_in_later_ring(Index i) const;
   [[nodiscard, gnu::cold]] Index previous_in_later_ring(Index i) const;
 
   Index first_end_ = 0;
-  std::vector<Index> ends_;  // of all rings, where there are several
+  std::vector<Index> ends_;   // of all rings, where there are several
+  std::vector<Index> rings_;  // of all vertices, likewise
 };
 
 }  // namespace gcv

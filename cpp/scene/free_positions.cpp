@@ -2,17 +2,75 @@
 #include "free_positions.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "directions.hpp"
 #include "joined_solids.hpp"
 #include "placed_box.hpp"
+#include "units.hpp"
 
 namespace gcv {
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+// Holds the positions at which a box lies in another one.
+Box positions_in(const Box& container, const Box& moving) {
+  return {sum_below(container.x0, -moving.x0), sum_below(container.y0, -moving.y0),
+          sum_above(container.x1, -moving.x1), sum_above(container.y1, -moving.y1)};
+}
+
+// Parts of a box of positions, from the furthest one in a direction on.
+class Slabs {
+ public:
+  Slabs(const Box& positions, const Box& moving, const Point& direction)
+      : positions_(positions),
+        by_x_(std::abs(direction.x) >= std::abs(direction.y)),
+        is_upwards_((by_x_ ? direction.x : direction.y) > 0) {
+    const double length = by_x_ ? positions.x1 - positions.x0 : positions.y1 - positions.y0;
+    const double size = (moving.x1 - moving.x0) + (moving.y1 - moving.y0);
+    const double count = length / size * slabs_a_size;
+    if (positions.x0 <= positions.x1 && positions.y0 <= positions.y1) {
+      count_ = count >= 2 ? static_cast<std::size_t>(std::min(count, most)) : 1;
+    }
+  }
+
+  // 0 if the box is empty.
+  [[nodiscard]] std::size_t count() const { return count_; }
+  [[nodiscard]] Box box(std::size_t k) const {
+    Box box = positions_;
+    double& low = by_x_ ? box.x0 : box.y0;
+    double& high = by_x_ ? box.x1 : box.y1;
+    const double from = low;
+    const double step = (high - low) / static_cast<double>(count_);
+    const auto border = [&](std::size_t number) {
+      return number == 0 ? from : number == count_ ? high : from + static_cast<double>(number) * step;
+    };
+    const std::size_t number = is_upwards_ ? count_ - 1 - k : k;
+    const double end = border(number + 1);
+    low = border(number);
+    high = end;
+    return box;
+  }
+
+ private:
+  static constexpr double slabs_a_size = 0.125;
+  static constexpr double most = 1000;
+
+  Box positions_;
+  bool by_x_;
+  bool is_upwards_;
+  std::size_t count_ = 0;
+};
+
+// Is nothing in the box as far in a direction as the point?
+bool is_beyond(const ExactPoint& point, const Point& direction, const Box& box, Tally& tally) {
+  const Point corner{direction.x < 0 ? box.x0 : box.x1, direction.y < 0 ? box.y0 : box.y1};
+  return compare_along(direction, point, ExactPoint::of_sum({corner, {0, 0}}), tally) > 0;
+}
 
 bool holds(const Box& box, const Box& other) {
   return box.x0 <= other.x0 && box.y0 <= other.y0 && box.x1 >= other.x1 && box.y1 >= other.y1;
@@ -23,6 +81,32 @@ bool holds(const Box& box, const Box& other) {
 UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) const {
   return usable_position(place, {0, 0}, tally,
                          [&](const Point& p) { return questions_.relation(p, tally); });
+}
+
+// Looks in sixteen directions, at distances that double, up to 2^12 units in the last place.
+UsablePosition FreePositions::usable_near(const ExactPoint& place, Tally& tally) const {
+  const UsablePosition nearest = usable(place, tally);
+  const auto& [position, relation] = nearest;
+  if (relation != Relation::overlapping) {
+    return nearest;
+  }
+  const double unit = std::max(unit_in_last_place(position.x), unit_in_last_place(position.y));
+  constexpr Point directions[] = {{2, 0}, {2, 1}, {2, 2}, {1, 2}};
+  for (double distance = 2; distance <= 0x1p12; distance *= 2) {
+    const double step = distance / 2 * unit;
+    for (const Point& d : directions) {
+      for (const Point& turned : {Point{d.x, d.y}, {-d.y, d.x}, {-d.x, -d.y}, {d.y, -d.x}}) {
+        const Point other{position.x + turned.x * step, position.y + turned.y * step};
+        if (std::isfinite(other.x) && std::isfinite(other.y)) {
+          const Relation there = questions_.relation(other, tally);
+          if (there != Relation::overlapping) {
+            return {other, there};
+          }
+        }
+      }
+    }
+  }
+  return nearest;
 }
 
 // Within a distance, only solids that are no further from the polygon matter. The first distance is
@@ -45,7 +129,7 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
                             merge_directions(*solids.boundary, reflected_, tally)};
     FreePlaceSearch search(operands, wanted_, tally);
     const std::optional<FreePlace> place =
-        search.nearest(position, is_all ? infinity : distance, {}, task);
+        search.nearest(position, is_all ? infinity : distance, {}, task, 1);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched = contact_in(operands, search, *place, solids.owners, tally);
       return {touched.owner,
@@ -58,14 +142,40 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
   }
 }
 
+std::optional<ExactPoint> FreePositions::furthest_in(const Box& window, const Point& direction,
+                                                     Task& task, Tally& tally) const {
+  const JoinedSolids solids = join_solids(scene_, query_, reflected_, window);
+  Operands operands{*solids.boundary, reflected_,
+                    merge_directions(*solids.boundary, reflected_, tally)};
+  operands.focus = solids.border->focus(operands);
+  FreePlaceSearch search(operands, wanted_, tally);
+  const std::optional<FreePlace> place = search.furthest(direction, task, 1);
+  return place ? std::optional(place->point) : std::nullopt;
+}
+
+// Goes through slabs of the positions, across the axis that the direction is closest to, from the
+// furthest one on. Each is searched by itself: there are few members near one, so that grids over
+// them are fine.
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
                                                       Tally& tally) const {
-  const JoinedSolids solids = join_solids(scene_, query_, reflected_, std::nullopt);
-  const Operands operands{*solids.boundary, reflected_,
-                          merge_directions(*solids.boundary, reflected_, tally)};
-  FreePlaceSearch search(operands, wanted_, tally);
-  const std::optional<FreePlace> place = search.furthest(direction, task);
-  return place ? std::optional(usable(place->point, tally)) : std::nullopt;
+  const Slabs slabs(positions_in(scene_.container()->boundary.bounds, moving_.bounds), moving_.bounds,
+                    direction);
+  std::optional<ExactPoint> best;
+  for (std::size_t k = 0; k < slabs.count(); ++k) {
+    const Box slab = slabs.box(k);
+    if (best && is_beyond(*best, direction, slab, tally)) {
+      break;
+    }
+    const std::optional<ExactPoint> place = furthest_in(slab, direction, task, tally);
+    if (!place) {
+      continue;
+    }
+    const int order = best ? compare_along(direction, *place, *best, tally) : 1;
+    if (order > 0 || (order == 0 && compare_lexicographically(*place, *best, tally) < 0)) {
+      best = place;
+    }
+  }
+  return best ? std::optional(usable_near(*best, tally)) : std::nullopt;
 }
 
 }  // namespace gcv

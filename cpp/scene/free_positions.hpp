@@ -41,7 +41,11 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
+  [[nodiscard]] std::optional<ExactPoint> furthest_in(const Box& window, const Point& direction,
+                                                      Task& task, Tally& tally) const;
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
+  // The same, or the nearest free position found further away.
+  [[nodiscard]] UsablePosition usable_near(const ExactPoint& place, Tally& tally) const;
 
   const Scene& scene_;
   const Query& query_;

@@ -69,8 +69,8 @@ struct WindowSolids {
   }
 };
 
-// The superset edges along the sides of a window whose solids have the vertices from `first` on.
-WindowBorder border_from(Index first, const Boundary& reflected) {
+// The border of a window whose solids have the vertices from `first` on.
+WindowBorder border_from(Index first, const Box& window, const Boundary& reflected) {
   const auto furthest = [&](auto is_further) {
     return static_cast<Index>(first_of(reflected.vertices, is_further));
   };
@@ -79,7 +79,8 @@ WindowBorder border_from(Index first, const Boundary& reflected) {
   const Index lowest = furthest([](const Point& p, const Point& q) { return p.y < q.y; });
   const Index leftmost = furthest([](const Point& p, const Point& q) { return p.x < q.x; });
   // Edges 2 and 3 of the solid below meet in its reflex corner, edges 0 and 1 of that above.
-  return {first,
+  return {window,
+          first,
           {{{EdgeName::translated, first + 2, highest},
             {EdgeName::translated, first + 3, rightmost},
             {EdgeName::translated, first + 6, lowest},
@@ -139,7 +140,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   const std::optional<Solid> container = container_of(scene, query);
   if (!container && !window) {
     throw Error(Status::invalid_argument,
-                "window is NULL, and there is no container: the free set is unbounded");
+                "neither a window nor a container bounds the free positions");
   }
   const Box moving = turned_round(reflected.bounds);
   // What a polygon in the window can reach.
@@ -167,7 +168,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
     return joining.run(std::nullopt);
   }
   const WindowSolids solids(*window, moving, widened_outwards(frame_box, margin));
-  const WindowBorder border = border_from(joining.size(), reflected);
+  const WindowBorder border = border_from(joining.size(), *window, reflected);
   joining.add(0, solids.below, solids.low);
   joining.add(0, solids.above, solids.high);
   return joining.run(border);

@@ -20,6 +20,8 @@ struct JoinedSolids {
   std::shared_ptr<const Boundary> boundary;
   std::vector<Id> owners;  // the solid that each ring belongs to; 0 for the frame and the window
   std::optional<WindowBorder> border;
+
+  [[nodiscard]] const WindowBorder* border_or_null() const { return border ? &*border : nullptr; }
 };
 
 // The solids that a query admits, of which a polygon can touch one in the container; with a window,

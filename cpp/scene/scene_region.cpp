@@ -11,7 +11,7 @@ Region free_region(const Scene& scene, const Query& query,
                    const std::shared_ptr<const Polygon>& reflected,
                    const std::optional<Box>& window, const RegionOptions& options, Task& task) {
   JoinedSolids solids = join_solids(scene, query, reflected->boundary(), window);
-  Region region = free_region({solids.boundary, "the scene"}, solids.border ? &*solids.border : nullptr,
+  Region region = free_region({solids.boundary, "a solid of the scene"}, solids.border_or_null(),
                               {reflected, "moving"}, {0, 0}, options, task);
   region.owners = std::move(solids.owners);
   return region;

@@ -38,10 +38,19 @@ CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(sla
   if (pairs < fewest_pairs) {
     return;
   }
-  const Box bounds = operands.relative_bounds();
+  // What both grids hold. Where one solid alone is near, cells would save little.
+  const Box of_b = operands.b.relative_bounds();
+  Box of_a = operands.a.crowd ? *operands.a.crowd : operands.a.relative_bounds();
+  if (operands.focus) {
+    const Box& focus = *operands.focus;
+    of_a = {std::max(of_a.x0, focus.x0 - of_b.x1), std::max(of_a.y0, focus.y0 - of_b.y1),
+            std::min(of_a.x1, focus.x1 - of_b.x0), std::min(of_a.y1, focus.y1 - of_b.y0)};
+  }
+  const Box bounds = sum_of(of_a, of_b);
+  box_ = bounds;
   origin_ = {bounds.x0, bounds.y0};
-  std::vector<CellRun> of_a;
-  std::vector<CellRun> of_b;
+  std::vector<CellRun> inside_a;
+  std::vector<CellRun> inside_b;
   side_ = 2 * side_of_grid(pairs);
   do {
     side_ /= 2;
@@ -49,16 +58,16 @@ CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(sla
     if (!(64 * margin_ < size_.x && 64 * margin_ < size_.y)) {
       return;
     }
-    of_a = cells_inside(operands.a, size_, margin_);
-    of_b = cells_inside(operands.b, size_, margin_);
-  } while (std::uint64_t{of_a.size()} * of_b.size() > most_sums);
+    inside_a = cells_inside(operands.a, of_a, size_, margin_);
+    inside_b = cells_inside(operands.b, of_b, size_, margin_);
+  } while (std::uint64_t{inside_a.size()} * inside_b.size() > most_sums);
   words_ = (side_ + word_size - 1) / word_size;
   last_ = side_ - 1;
   cells_a_unit_ = {1 / size_.x, 1 / size_.y};
   bits_.resize(std::size_t{side_} * words_);
   // The sum of two cells is a square of four: the lower two, then the upper two.
-  for (const CellRun& a : of_a) {
-    for (const CellRun& b : of_b) {
+  for (const CellRun& a : inside_a) {
+    for (const CellRun& b : inside_b) {
       const std::uint32_t row = a.row + b.row;
       const std::uint32_t from = a.from + b.from;
       if (row < side_ && from < side_) {
@@ -146,7 +155,9 @@ void CoveredCells::add(const Witness& witness) {
 }
 
 bool CoveredCells::hold(const Box& box) const {
-  if (bits_.empty()) {
+  const bool is_in_grid =
+      box.x0 >= box_.x0 && box.y0 >= box_.y0 && box.x1 <= box_.x1 && box.y1 <= box_.y1;
+  if (bits_.empty() || !is_in_grid) {
     return false;
   }
   const std::uint32_t from = cell((box.x0 - origin_.x) * cells_a_unit_.x);
@@ -161,8 +172,26 @@ bool CoveredCells::hold(const Box& box) const {
   return true;
 }
 
+double CoveredCells::end_in_grid(const RelativeLine& line, double t) const {
+  const Point at = line.at(t);
+  if (!(at.x >= box_.x0 && at.y >= box_.y0 && at.x <= box_.x1 && at.y <= box_.y1)) {
+    return t;
+  }
+  const double along_x = ((line.dx > 0 ? box_.x1 : box_.x0) - at.x) / line.dx;
+  const double along_y = ((line.dy > 0 ? box_.y1 : box_.y0) - at.y) / line.dy;
+  // One of them may be not a number.
+  double end = 1;
+  end = t + along_x < end ? t + along_x : end;
+  end = t + along_y < end ? t + along_y : end;
+  return end;
+}
+
 double CoveredCells::reach(const RelativeLine& line, double t) const {
   if (bits_.empty()) {
+    return t;
+  }
+  const double until = end_in_grid(line, t);
+  if (!(until > t)) {
     return t;
   }
   const Point at = line.at(t);
@@ -176,12 +205,12 @@ double CoveredCells::reach(const RelativeLine& line, double t) const {
   }
   const double slope = way.y / way.x;
   const double inverse = 1 / way.x;
-  const std::uint32_t last = cell(from.x + (1 - t) * way.x);
+  const std::uint32_t last = cell(from.x + (until - t) * way.x);
   double y = from.y;
   double end = t;
   for (std::uint32_t column = cell(from.x);;) {
     const bool is_last = column == last;
-    const double along = is_last ? (1 - t) * way.x : column + (way.x > 0 ? 1 : 0) - from.x;
+    const double along = is_last ? (until - t) * way.x : column + (way.x > 0 ? 1 : 0) - from.x;
     const double next_y = from.y + along * slope;
     const std::uint32_t to = cell(std::max(y, next_y));
     for (std::uint32_t row = cell(std::min(y, next_y)); row <= to; ++row) {
@@ -190,10 +219,10 @@ double CoveredCells::reach(const RelativeLine& line, double t) const {
       }
     }
     if (is_last) {
-      return 1;
+      return until;
     }
     y = next_y;
-    end = std::min(std::max(end, t + along * inverse), 1.0);
+    end = std::min(std::max(end, t + along * inverse), until);
     column = way.x > 0 ? column + 1 : column - 1;
   }
 }

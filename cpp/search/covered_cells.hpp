@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// A grid over the sum, and cells of it that lie in the open sum int A + int B: parts of the sum of
+// A grid over the sum, or over the part of it that is looked at, and cells of it that lie in the open sum int A + int B: parts of the sum of
 // a cell inside A and a cell inside B, and cells inside witnesses. Together they cover lines and
 // boxes that no witness covers alone.
 #pragma once
@@ -33,6 +33,8 @@ class CoveredCells {
   [[nodiscard]] double reach(const RelativeLine& line, double t) const;
 
  private:
+  // How far the line stays in the grid from t on: a parameter up to 1, t if it is not there.
+  [[nodiscard]] double end_in_grid(const RelativeLine& line, double t) const;
   // The cell that holds a coordinate in cells, or the nearest one.
   [[nodiscard]] std::uint32_t cell(double place) const {
     return place > 0 ? static_cast<std::uint32_t>(place < last_ ? place : last_) : 0;
@@ -46,6 +48,7 @@ class CoveredCells {
   std::uint32_t words_ = 0;  // of a row
   double last_ = 0;          // the number of the last cell
   double margin_;
+  Box box_{};  // of the grid
   Point origin_{};
   Point size_{};  // of a cell
   Point cells_a_unit_{};

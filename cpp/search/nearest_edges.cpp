@@ -85,7 +85,7 @@ void NearestEdges::look_below(ChordTree::Node a, ChordTree::Node b, double limit
     }
     const Box box = sum_of(a_.box(p), b_.box(q));
     const double least = cost(box);
-    if (!(least > limit) && !search_.covers(box)) {
+    if (!(least > limit) && !operands_.is_out_of_focus(box) && !search_.covers(box)) {
       push({least, Entry::nodes, p, q});
     }
   };

@@ -35,7 +35,7 @@ class NearestEdges {
   void set_goal(const Goal& goal);
   [[nodiscard]] double distance(const Point& p) const;
 
-  // Calls visit(edge) for superset edges, before merging, whose distance from the goal may be at
+  // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may be at
   // most `reach`, which may fall on the way: as far as no witnesses cover them, by that distance,
   // the nearest one first. Leaves out those that is_known(edge) knows, which is asked before an
   // edge is looked at. Calls pass() after each step.

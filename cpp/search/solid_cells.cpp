@@ -21,14 +21,14 @@ Word parities(Word word) {
 
 class Rasteriser {
  public:
-  Rasteriser(const Boundary& solid, const Point& size, double margin)
+  Rasteriser(const Boundary& solid, const Box& box, const Point& size, double margin)
       : solid_(solid),
-        corner_{solid.bounds.x0 - solid.origin().x, solid.bounds.y0 - solid.origin().y},
+        corner_{box.x0, box.y0},
         size_(size),
         cells_a_unit_{1 / size.x, 1 / size.y},
         margin_(margin),
-        columns_(count(solid.bounds.x1 - solid.bounds.x0, size.x)),
-        rows_(count(solid.bounds.y1 - solid.bounds.y0, size.y)),
+        columns_(count(box.x1 - box.x0, size.x)),
+        rows_(count(box.y1 - box.y0, size.y)),
         words_((columns_ + word_size - 1) / word_size),
         touched_(std::size_t{rows_} * words_),
         crossed_(std::size_t{rows_} * words_) {
@@ -96,6 +96,11 @@ class Rasteriser {
     const double slope = low.y == high.y ? 0 : (high.x - low.x) / (high.y - low.y);
     const double left = std::min(p.x, q.x);
     const double right = std::max(p.x, q.x);
+    // What is left of the box tells what is inside.
+    if (left > (columns_ + 1) * size_.x || low.y > (rows_ + 1) * size_.y ||
+        high.y < -size_.y) {
+      return;
+    }
     const auto x_at = [&](double y) {
       return y <= low.y    ? low.x
              : y >= high.y ? high.x
@@ -134,8 +139,9 @@ class Rasteriser {
 
 }  // namespace
 
-std::vector<CellRun> cells_inside(const Boundary& solid, const Point& size, double margin) {
-  return Rasteriser(solid, size, margin).runs();
+std::vector<CellRun> cells_inside(const Boundary& solid, const Box& box, const Point& size,
+                                  double margin) {
+  return Rasteriser(solid, box, size, margin).runs();
 }
 
 }  // namespace gcv

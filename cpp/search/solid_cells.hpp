@@ -17,9 +17,10 @@ struct CellRun {
   std::uint32_t to;
 };
 
-// The cells of a grid that lie inside a solid, also if they are larger by the margin on each side.
-// `size`: of a cell. The first cell begins in the corner of the bounds of the solid, the last ones
-// end behind it. Row by row. O(1) for each row that an edge meets.
-std::vector<CellRun> cells_inside(const Boundary& solid, const Point& size, double margin);
+// The cells of a grid over a box that lie inside a solid, also if they are larger by the margin on
+// each side. `size`: of a cell. The first cell begins in the corner of the box, which is in relative
+// coordinates, the last ones end behind it. Row by row. O(1) for each row that an edge meets.
+std::vector<CellRun> cells_inside(const Boundary& solid, const Box& box, const Point& size,
+                                  double margin);
 
 }  // namespace gcv

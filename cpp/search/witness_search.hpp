@@ -40,7 +40,7 @@ class WitnessSearch {
   // The last of these.
   [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
 
-  // Calls visit(edge) for the superset edges, before merging, whose direction is in the half-plane
+  // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the half-plane
   // that begins with a rank: from that on counter-clockwise, without the opposite rank. Passes over
   // those that lie in witnesses that were found until then. Calls pass(pairs) with the number of
   // pairs of edges that it is done with; in all, that is all of them.
@@ -158,7 +158,8 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
     stack.pop_back();
     const EdgesBelow& a = below_a[nodes.a];
     const EdgesBelow& b = below_b[nodes.b];
-    if (have_superset_edges(a, b, wanted) && !covers(sum_of(a_.box(nodes.a), b_.box(nodes.b)))) {
+    const Box box = sum_of(a_.box(nodes.a), b_.box(nodes.b));
+    if (have_superset_edges(a, b, wanted) && !operands_.is_out_of_focus(box) && !covers(box)) {
       if (!are_edges(nodes)) {
         const Family children = family(nodes);
         for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {

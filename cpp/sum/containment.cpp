@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "containment.hpp"
 
+#include <algorithm>
+
 #include "box.hpp"
 #include "predicates.hpp"
 
@@ -29,6 +31,10 @@ class PointInRings {
       const int from_order = places_.compare(Place::of(from), place_);
       const int to_order = places_.compare(Place::of(to), place_);
       is_on_ring_ = is_on_ring_ || from_order * to_order <= 0;
+      runs_along_ = runs_along_ || (std::min(from_order, to_order) <= 0 &&
+                                    std::max(from_order, to_order) > 0);
+      meet(Place::of(from), from_order);
+      meet(Place::of(to), to_order);
       return;
     }
     const Place crossing = from_side == 0 ? Place::of(from)
@@ -36,13 +42,23 @@ class PointInRings {
                                           : places_.crossing(Line::of(operands_, edge));
     const int order = places_.compare(crossing, place_);
     is_on_ring_ = is_on_ring_ || order == 0;
+    meet(crossing, order);
     is_inside_ = is_inside_ != (order > 0 && (from_side < 0 || to_side < 0));
   }
 
   [[nodiscard]] bool holds_germ() const { return is_inside_; }
   [[nodiscard]] bool is_on_ring() const { return is_on_ring_; }
+  // Does a ring run along the line behind the place?
+  [[nodiscard]] bool runs_along() const { return runs_along_; }
+  // Where the line meets a ring next, behind the place.
+  [[nodiscard]] const std::optional<Place>& next() const { return next_; }
 
  private:
+  void meet(const Place& place, int order) {
+    if (order > 0 && (!next_ || places_.compare(place, *next_) < 0)) {
+      next_ = place;
+    }
+  }
   [[nodiscard]] int side_of(const VertexSum& sum) const {
     return side(places_.line().at, operands_.point(sum), tally_);
   }
@@ -53,19 +69,28 @@ class PointInRings {
   Tally& tally_;
   bool is_inside_ = false;
   bool is_on_ring_ = false;
+  bool runs_along_ = false;
+  std::optional<Place> next_;
 };
 
 }  // namespace
 
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
                            const Box& around, Index seen, Tally& tally) {
-  Containment result{false, false};
+  Containment result{false, false, false, std::nullopt};
   const Boundary& a = operands.a;
   const Boundary& b = operands.b;
   const Box box_b = b.cover_index().chords.blocks.front().boxes.box(0);
   const auto add = [&](const PointInRings& rings, bool inside) {
     if (rings.holds_germ() == inside) {
       result.of_germ = true;
+      const bool is_further =
+          !result.of_line ||
+          (result.end && (!rings.next() || places.compare(*rings.next(), *result.end) > 0));
+      if (is_further && !rings.runs_along()) {
+        result.end = rings.next();
+        result.of_line = true;
+      }
       result.of_place = result.of_place || !rings.is_on_ring();
     }
   };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "contributing_vertices.hpp"
 #include "places_on_line.hpp"
 
@@ -10,6 +12,9 @@ namespace gcv {
 struct Containment {
   bool of_place;  // for the place x; false if the boundaries touch where it is looked at
   bool of_germ;   // for what follows the place on its line, to the right
+  bool of_line;   // for what follows the place on its line, itself
+  // How far on the line the last is sure to be so, if it is: up to here, else for ever.
+  std::optional<Place> end;
 };
 
 // The box holds the place, in relative coordinates. Solids of the vertices of A from `seen` on do not

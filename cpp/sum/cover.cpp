@@ -36,7 +36,7 @@ Interval EdgeCover::parameters_of(const RelativeLine& line, const Place& place) 
 Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& place) const {
   if (operands_.a.solids.empty()) {
-    return {false, false};
+    return {false, false, false, std::nullopt};
   }
   const Interval parameters = parameters_of(line, place);
   const Box around =
@@ -298,7 +298,7 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
 }
 
 std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const RelativeLine& line,
-                                            const Place& place, bool is_contained) {
+                                            const Place& place, const Containment& containment) {
   std::optional<Place> furthest;
   const auto take = [&](const Place& exit) {
     if (!furthest || places.compare(exit, *furthest) > 0) {
@@ -323,8 +323,8 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
       }
     });
   }
-  if (!furthest && is_contained) {
-    return next_change(places, line, place);
+  if (containment.of_line) {
+    take(containment.end ? *containment.end : places.end());
   }
   if (!furthest) {
     throw Error(Status::internal, "no witness covers what follows a covered place");

@@ -15,6 +15,7 @@
 // on, it goes on exactly: from one crossing with a side of a parallelogram to the next.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,9 +82,16 @@ class EdgeCover {
     for (Run& run : runs_) {
       run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
     }
-    std::optional<Place> place = places.start();
+    WindowBorder::Part part{places.start(), places.end()};
+    if (border_ != nullptr) {
+      part = border_->clipped(operands_, places, part);
+      if (places.compare(part.from, part.to) > 0) {
+        return;
+      }
+    }
+    std::optional<Place> place = part.from;
     if (find_run(places, line, *place) == nullptr) {
-      place = skip(places, line, 0, *place);
+      place = skip(places, line, std::max(parameters_of(line, *place).lo, 0.0), *place);
     }
     while (place) {
       if (const Run* const run = find_run(places, line, *place)) {
@@ -97,7 +105,7 @@ class EdgeCover {
       Surroundings surroundings = look(places, line, *place);
       const Containment containment = contained_at(places, line, *place);
       surroundings.is_covered = surroundings.is_covered || containment.of_place;
-      const bool is_end = places.compare(*place, places.end()) >= 0;
+      const bool is_end = places.compare(*place, part.to) >= 0;
       const bool leads_on =
           !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
       const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);
@@ -119,7 +127,7 @@ class EdgeCover {
         }
         place = next_change(places, line, *place);
       } else {
-        place = leave_cover(places, line, *place, containment.of_germ);
+        place = leave_cover(places, line, *place, containment);
       }
     }
   }
@@ -129,37 +137,13 @@ class EdgeCover {
   template <class Visitor>
   void walk_along_border(const PairEdge& s, Visitor& visitor) {
     const PlacesOnLine places(operands_, s, tally_);
-    const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
-    search_.begin(line);
-    seen_ = border_->first;
-    std::optional<Place> segment;
-    std::optional<Place> place = places.start();
-    while (place) {
-      const Surroundings surroundings = look(places, line, *place);
-      const Containment containment = contained_at(places, line, *place);
-      const bool is_end = places.compare(*place, places.end()) >= 0;
-      const bool leads_on = !is_end && !surroundings.is_covered && !containment.of_place &&
-                            !surroundings.blocked.holds(s.rank);
-      const bool is_segment = leads_on && surroundings.blocked.hold_right_of(s.rank);
-      if (segment && !is_segment) {
-        const auto [from, to] = border_->clipped(operands_, places, {*segment, *place});
-        if (const int order = places.compare(from, to); order < 0) {
-          visitor.segment(places, from, to);
-        } else if (order == 0) {
-          visitor.point(places, from);
-        }
-        segment.reset();
+    for (const auto& [from, to] : segments_along_border(places)) {
+      if (const int order = places.compare(from, to); order < 0) {
+        visitor.segment(places, from, to);
+      } else if (order == 0) {
+        visitor.point(places, from);
       }
-      if (is_end) {
-        break;
-      }
-      if (is_segment && !segment) {
-        segment = place;
-      }
-      place = leads_on ? next_change(places, line, *place, !is_segment)
-                       : leave_cover(places, line, *place, containment.of_germ);
     }
-    seen_ = operands_.a.size();
   }
 
   // The same for all superset edges of the half-plane of directions that begins with that rank.
@@ -209,10 +193,12 @@ class EdgeCover {
     }
   }
 
-  // What follows the place on the line is free. The next place where this may end.
-  Place end_of_free(const PlacesOnLine& places, const Place& place) {
+  // What follows the place on the line is free. The next place where this may end; if the right side
+  // counts, where that may be no longer free.
+  Place end_of_free(const PlacesOnLine& places, const Place& place, bool right_counts) {
     const Line& s = places.line();
-    return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place);
+    return next_change(places, {operands_.relative_start(s.edge), s.at.dx, s.at.dy}, place,
+                       right_counts);
   }
 
   // What it searches with. A walk begins it anew.
@@ -244,19 +230,20 @@ class EdgeCover {
     return !surroundings.is_covered && surroundings.blocked.hold_all() &&
            (border_ == nullptr || surroundings.blocked_inside.hold_almost_all());
   }
+  // Parts of s that are segments of F where the border is not seen, clipped to the window.
+  std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
   // Finds the pairs of edges near places from one parameter to another.
   void see(double from, double to);
   // The contacts at a place. Leaves the pairs of edges near it in pairs_.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
-  // What follows the place on s is covered: the place where that ends, or where it may if solids
-  // contain one another there; or nothing if s ends first.
+  // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
+  // ends first.
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
-                                   const Place& place, bool is_contained);
-  // What follows the place on s is free, and its right side is covered; or solids contain one
-  // another there. The next place where this may end. If the right side is free, also the next one
-  // where that may end.
+                                   const Place& place, const Containment& containment);
+  // What follows the place on s is free, and its right side is covered. The next place where this
+  // may end. If the right side is free, also the next one where that may end.
   Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place,
                     bool right_is_free = false);
 

@@ -51,8 +51,11 @@ ExactRegion exact_free_set(const Operand& solids, const WindowBorder* border,
   exact.b = {all_rings(reflected.polygon), reflected.name, reflected.error_bound};
   exact.shift = shift;
   exact.against_edges = true;
-  const Operands operands{*exact.a.ring, *exact.b.ring,
-                          merge_directions(*exact.a.ring, *exact.b.ring, counts.predicates)};
+  Operands operands{*exact.a.ring, *exact.b.ring,
+                    merge_directions(*exact.a.ring, *exact.b.ring, counts.predicates)};
+  if (border != nullptr) {
+    operands.focus = border->focus(operands);
+  }
   find_free_parts(operands, border, wanted, task, counts, exact);
   return exact;
 }

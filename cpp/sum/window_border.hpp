@@ -7,13 +7,23 @@
 #include <algorithm>
 #include <array>
 
+#include "box.hpp"
 #include "places_on_line.hpp"
+#include "tree_product.hpp"
 
 namespace gcv {
 
 struct WindowBorder {
+  Box window;   // of points of the sum
   Index first;                    // the vertices of A from this one on are those of the window
   std::array<EdgeName, 4> sides;  // superset edges along them, the window on the right
+
+  // For operands of which no more than the window is looked at.
+  [[nodiscard]] Box focus(const Operands& operands) const {
+    const Point low = operands.relative_place({window.x0, window.y0});
+    const Point high = operands.relative_place({window.x1, window.y1});
+    return widened({low.x, low.y, high.x, high.y}, slack_of(operands));
+  }
 
   [[nodiscard]] bool makes(const EdgeName& edge) const { return edge.i >= first; }
 

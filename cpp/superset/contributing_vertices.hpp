@@ -11,11 +11,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "boundary.hpp"
 #include "box.hpp"
 #include "directions.hpp"
+#include "double_double.hpp"
 
 namespace gcv {
 
@@ -62,6 +64,13 @@ struct Operands {
   const Boundary& a;
   const Boundary& b;
   Directions directions;
+  // The part of the sum that is looked at, in relative coordinates, if it is not all of it.
+  std::optional<Box> focus = std::nullopt;
+
+  // Has a box in relative coordinates nothing in focus?
+  [[nodiscard]] bool is_out_of_focus(const Box& box) const {
+    return focus && are_apart(box, *focus);
+  }
 
   [[nodiscard]] PairEdge translated(Index i, Index j) const {
     return {{PairEdge::translated, i, j}, directions.rank_a[i]};
@@ -93,11 +102,15 @@ struct Operands {
     const Point q = b.relative(j);
     return {p.x + q.x, p.y + q.y};
   }
+  // A point of the sum in relative coordinates.
+  [[nodiscard]] Point relative_place(const Point& p) const {
+    const Point& v = a.vertices.front();
+    const Point& w = b.vertices.front();
+    const Point c = a.position(0);
+    return {rounded_sum(p.x, -v.x, -w.x, -c.x), rounded_sum(p.y, -v.y, -w.y, -c.y)};
+  }
   [[nodiscard]] Box relative_bounds() const {
-    const Point p = a.origin();
-    const Point q = b.origin();
-    return {a.bounds.x0 - p.x + (b.bounds.x0 - q.x), a.bounds.y0 - p.y + (b.bounds.y0 - q.y),
-            a.bounds.x1 - p.x + (b.bounds.x1 - q.x), a.bounds.y1 - p.y + (b.bounds.y1 - q.y)};
+    return sum_of(a.relative_bounds(), b.relative_bounds());
   }
   [[nodiscard]] Point relative_start(const EdgeName& e) const { return relative(e.i, e.j); }
   [[nodiscard]] Point relative_end(const EdgeName& e) const {

@@ -4,7 +4,7 @@
 
 And questions about two polygons, exactly, without a sum: whether they touch or overlap,
 how far they are from each other, and how far one can move. A scene answers them for
-many polygons at positions.
+many polygons at positions, and tells where one more polygon is free.
 
 Every coordinate is a finite float and stands for exactly that number; nothing is
 rounded but the coordinates that are handed back as floats, each once. Polygons, outer

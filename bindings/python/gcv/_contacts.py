@@ -101,6 +101,8 @@ class Escape(NamedTuple):
     """How they lie at the position, exactly."""
     contact: Optional[Contact]
     """What they touch with at the end of the way; None where they do not overlap."""
+    id: int = 0
+    """In a scene, of what is touched at the end of the way; 0 where there is no way."""
 
 
 class Impact(NamedTuple):
@@ -203,7 +205,7 @@ def _separation(of: _structs.Separation) -> Separation:
 def _escape(of: _structs.Escape) -> Escape:
     return Escape(
         *(of.depth, _point(of.translation), _point(of.position), Relation(of.relation)),
-        _contact_or_none(of.contact),
+        *(_contact_or_none(of.contact), of.contact.id_a),
     )
 
 

@@ -78,8 +78,11 @@ _NEW_IN_0_2 = {
     "gcv_scene_ids",
     "gcv_scene_positions",
     "gcv_scene_polygon",
+    "gcv_scene_free_region",
+    "gcv_scene_best",
     "gcv_scene_relation",
     "gcv_scene_distance",
+    "gcv_scene_penetration",
     "gcv_scene_cast",
     "gcv_scene_near",
     "gcv_scene_pairs",
@@ -355,8 +358,11 @@ scene_positions = _function("gcv_scene_positions", Scene, c_void_p, c_size_t, c_
 scene_polygon = _function("gcv_scene_polygon", Scene, c_uint64, _polygon)
 
 _moving = (Scene, Polygon, c_void_p)
+scene_free_region = _function("gcv_scene_free_region", *_moving, *_asked, _region)
+scene_best = _function("gcv_scene_best", *_moving, *_asked, c_void_p, POINTER(c_int32))
 scene_relation = _function("gcv_scene_relation", *_moving, c_size_t, *_asked, c_void_p)
 scene_distance = _function("gcv_scene_distance", *_moving, c_size_t, *_asked, c_void_p)
+scene_penetration = _function("gcv_scene_penetration", *_moving, c_size_t, *_asked, c_void_p)
 scene_cast = _function("gcv_scene_cast", *_moving, c_void_p, c_size_t, *_asked, c_void_p)
 scene_near = _function("gcv_scene_near", *_moving, c_double, *_asked, POINTER(PairList))
 scene_pairs = _function(*("gcv_scene_pairs", Scene, PairList, c_double, *_asked, POINTER(PairList)))

@@ -59,8 +59,8 @@ if TYPE_CHECKING:
 class Region(Result):
     """Polygons with holes, segments and points; it never changes.
 
-    Made by minkowski_sum_region, no_fit_region, entrance_region, inner_fit_region, and
-    the forms of these for many pairs.
+    Made by minkowski_sum_region, no_fit_region, entrance_region, inner_fit_region, the
+    forms of these for many pairs, and Scene.free_region.
 
     Its parts are rings, segments and points. For each polygon comes its outer ring, then
     its holes; then come the segments, then the points. Outer rings are counter-clockwise,
@@ -177,10 +177,10 @@ class Region(Result):
 
     @property
     def owners(self) -> numpy.typing.NDArray[numpy.int64]:
-        """The polygon of a scene that made each edge of the exact region, by its id.
+        """The id of the member that made each edge of the exact region: one of several.
 
-        Regions of two polygons come from no scene: all owners are 0. An array of shape
-        (n,), for the edges of sources; a list without numpy.
+        1 is the container, 0 a window. Regions of two polygons come from no scene: all
+        owners are 0. An array of shape (n,), as sources; a list without numpy.
         """
         return indices(self._fact("owners"))
 

@@ -16,14 +16,15 @@ from ._many import vertices
 from ._pair_list import PairList, pair_list
 from ._polygon import as_polygon
 from ._record_list import RecordList
-from ._scene_questions import NEIGHBOURS, Questions, query_of
+from ._scene_places import Places
+from ._scene_questions import NEIGHBOURS, query_of
 from ._sources import PolygonLike
 from ._whole_numbers import WholeNumbers
 
 _Handle = TypeVar("_Handle", _ffi.PairList, _ffi.ContactList)
 
 
-class Scene(Questions):
+class Scene(Places):
     """Polygons at positions, the members, and perhaps a container round them; it can change.
 
     container: what members are to be in; a polygon, or whatever Polygon can be made from,
@@ -174,8 +175,7 @@ class Scene(Questions):
 
     def _vertices_of_pairs(self) -> int:
         """A guess of the vertices of all pairs that are near."""
-        container = 0 if self._container is None else vertices(self._container)
-        return container + 2 * NEIGHBOURS * self._vertices
+        return self._container_vertices() + 2 * NEIGHBOURS * self._vertices
 
 
 def _handle_of(

@@ -9,7 +9,7 @@ from ctypes import c_int8, c_uint64
 from typing import Any, Callable, Optional, SupportsIndex, overload
 
 from . import _ffi, _structs
-from ._call import Progress, run
+from ._call import LeaveOut, Progress, run
 from ._contacts import Impact, Relation, Separation, record, records
 from ._many import vertices
 from ._members import Members
@@ -211,11 +211,12 @@ class Questions(Members):
         moving: PolygonLike,
         vectors: dict[str, Any],
         query: tuple[Optional[SupportsIndex], WholeNumbers],
-        options: tuple[int, Optional[Progress]],
+        options: tuple[Any, ...],
     ) -> Any:
         """What the function gives, of that C type, for the vectors by their names.
 
-        A record where each of the vectors is one; otherwise an array.
+        A record where each of the vectors is one; otherwise an array. The options are those
+        of _ask.
         """
         polygon, members = as_polygon(moving, "moving"), query_of(*query)
         arguments, count, is_one = read_vectors(vectors)
@@ -234,15 +235,21 @@ class Questions(Members):
         visited: int,
         threads: int,
         progress: Optional[Progress],
+        leave_out: LeaveOut = (),
     ) -> None:
         """As run does call(options), while nothing changes; visited is a number of vertices."""
+        pairs = visited // VERTICES_A_PAIR
         with self._gate.asking():
-            run(call, visited // VERTICES_A_PAIR, "nearest", 0, threads, progress)
+            run(call, pairs, "nearest", 0, threads, progress, leave_out)
 
     def _vertices_near(self, own: int) -> int:
         """A guess of the vertices that a polygon of so many is compared with, and its own."""
-        container = 0 if self._container is None else vertices(self._container)
-        return container + NEIGHBOURS * (own + self._vertices // max(len(self), 1))
+        members = NEIGHBOURS * (own + self._vertices // max(len(self), 1))
+        return self._container_vertices() + members
+
+    def _container_vertices(self) -> int:
+        container = self._container
+        return 0 if container is None else vertices(container)
 
 
 def query_of(layers: Optional[SupportsIndex], ignore: WholeNumbers) -> Optional[_structs.Query]:

@@ -172,6 +172,13 @@ relations = [gcv.OVERLAPPING, gcv.TOUCHING, gcv.OVERLAPPING]
 assert scene.relation(square, moves) == relations
 assert scene.distance(square, moves) == [scene.distance(square, move) for move in moves]
 assert scene.pairs(2).array == [(2, 3, gcv.APART)]
+free = scene.free_region(square, (0, 0, 3, 9), ignore=2)
+assert free.vertices == [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (3.0, 1.0), (3.0, 9.0), (0.0, 9.0)]
+assert free.owners == [0, 3, 3, 0, 0, 0]
+ways = scene.penetration(square, moves)
+assert ways == [scene.penetration(square, move) for move in moves] and ways[2].id == 2
+scene.container = [(-9, -9), (9, -9), (9, 9), (-9, 9)]
+assert scene.best(square, (-1, 0)) == (-9.0, -9.0)
 assert not hasattr(gcv, "CONTACT_DTYPE")
 try:
     gcv.IMPACT_DTYPE

@@ -30,7 +30,7 @@ def test_way_out() -> None:
 
 def test_no_overlap() -> None:
     for move, relation in (((1.0, 1.0), gcv.TOUCHING), ((3.0, 3.0), gcv.APART)):
-        assert gcv.penetration(SQUARE, SQUARE, move) == (0, (0, 0), move, relation, None)
+        assert gcv.penetration(SQUARE, SQUARE, move) == (0, (0, 0), move, relation, None, 0)
 
 
 def test_into_a_hole_or_not() -> None:
@@ -53,10 +53,11 @@ def test_into_an_exact_fit_or_not() -> None:
 
 @given(polygons(), polygons(), st.tuples(*[st.integers(-14, 14).map(lambda n: n / 2)] * 2))
 def test_properties(a: gcv.Polygon, b: gcv.Polygon, move: tuple[float, float]) -> None:
-    depth, way, position, relation, contact = gcv.penetration(a, b, move)
+    depth, way, position, relation, contact, id = gcv.penetration(a, b, move)
     overlaps = gcv.relation(a, b, move) is gcv.OVERLAPPING
     assert (depth > 0) == overlaps == (contact is not None)
     assert relation is gcv.relation(a, b, position)
+    assert id == 0
     if not overlaps:
         return
     # No point of the exact boundary is nearer; ends of edges and feet on them are its points.

@@ -23,12 +23,17 @@ CROWD.add(
     [star(2000, seed) for seed in range(20)],
     np.random.default_rng(3).uniform(-5, 5, (20, 2)),
 )
+CROWDED_ROOM = CROWD.copy()
+CROWDED_ROOM.container = [(-5, -5), (5, -5), (5, 5), (-5, 5)]
 VISITOR = star(2000, 99)
 PLACES = np.random.default_rng(1).uniform(-6, 6, (300000, 2))
 LONG: list[Callable[..., object]] = [
     lambda **options: CROWD.relation(VISITOR, PLACES, **options),
     lambda **options: CROWD.distance(VISITOR, PLACES, threads=2, **options),
     lambda **options: CROWD.cast(VISITOR, PLACES, (1, 0), **options),
+    lambda **options: CROWD.free_region(VISITOR, (-6, -6, 6, 6), threads=2, **options),
+    lambda **options: CROWDED_ROOM.best(VISITOR, (-1, 0), **options),
+    lambda **options: CROWD.penetration(VISITOR, PLACES, ignore=range(3, 22), **options),
 ]
 
 
@@ -69,6 +74,8 @@ def test_progress_must_not_change_the_scene(change: Callable[[gcv.Scene], object
         lambda progress: scene.distance(BLOCK, [(1, 0)], progress=progress),
         lambda progress: scene.cast(BLOCK, (1, 0), (1, 0), progress=progress),
         lambda progress: scene.near(BLOCK, (1, 0), 1, progress=progress),
+        lambda progress: scene.free_region(BLOCK, (0, 0, 9, 9), progress=progress),
+        lambda progress: scene.penetration(BLOCK, (1, 0), progress=progress),
         lambda progress: scene.pairs(1, progress=progress),
         lambda progress: scene.contacts(1, progress=progress),
     ]
@@ -110,6 +117,7 @@ def test_threads() -> None:
             assert list(scene.pairs()) == [(left, right, gcv.TOUCHING)]
             assert np.ptp(scene.positions()[:, 0]) == 1
             assert scene.distance(BLOCK, (0, 9)).id in (left, right)
+            assert scene.free_region(BLOCK, (-9, 0, 400, 9)).area == 409 * 9 - 3
             looks += 1
         return looks
 

@@ -1067,7 +1067,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_edge_sources(const gcv_region *regio
 
 /**
  * The owner of every edge of the exact region: of a scene, the id of the member that made it, 1 for
- * the container, 0 for a window. Regions of two polygons come from no scene: all of their owners
+ * the container, 0 for a window. Of several that made an edge, or parts of it, one is named. Regions of two polygons come from no scene: all of their owners
  * are 0. So are those of what is no edge, as in gcv_region_edge_sources.
  *
  * @param ids       room for `capacity` elements; or NULL.
@@ -1621,9 +1621,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_free_region(const gcv_scene *scene,
  * and of these lowest.
  *
  * The position is in doubles, and the polygon overlaps nothing there. It is within 2 units in the
- * last place of the exact one where such a position is free. Else it is the best one found near
- * there; where none is, the doubles nearest to the exact position, where gcv_scene_relation tells
- * GCV_OVERLAPPING.
+ * last place of the exact one where such a position is free. Else it is the nearest one that was
+ * found within 2^12 such units. Where none was, as for most exact fits between slanted edges, it is
+ * the doubles nearest to the exact position, and gcv_scene_relation tells GCV_OVERLAPPING there.
  *
  * @param moving     the polygon.
  * @param direction  finite, not 0 0.

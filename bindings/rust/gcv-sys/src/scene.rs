@@ -7,7 +7,8 @@ use std::mem::size_of;
 use std::ptr;
 
 use crate::{
-    gcv_contact_list, gcv_impact, gcv_options, gcv_polygon, gcv_separation, gcv_status, Opaque,
+    gcv_contact_list, gcv_escape, gcv_impact, gcv_options, gcv_polygon, gcv_region, gcv_separation,
+    gcv_status, Opaque,
 };
 
 #[repr(C)]
@@ -93,6 +94,23 @@ extern "C" {
         id: u64,
         out: *mut *mut gcv_polygon,
     ) -> gcv_status;
+    pub fn gcv_scene_free_region(
+        scene: *const gcv_scene,
+        moving: *const gcv_polygon,
+        window: *const f64,
+        query: *const gcv_query,
+        options: *const gcv_options,
+        out: *mut *mut gcv_region,
+    ) -> gcv_status;
+    pub fn gcv_scene_best(
+        scene: *const gcv_scene,
+        moving: *const gcv_polygon,
+        direction: *const f64,
+        query: *const gcv_query,
+        options: *const gcv_options,
+        out: *mut f64,
+        found: *mut i32,
+    ) -> gcv_status;
     pub fn gcv_scene_relation(
         scene: *const gcv_scene,
         moving: *const gcv_polygon,
@@ -110,6 +128,15 @@ extern "C" {
         query: *const gcv_query,
         options: *const gcv_options,
         out: *mut gcv_separation,
+    ) -> gcv_status;
+    pub fn gcv_scene_penetration(
+        scene: *const gcv_scene,
+        moving: *const gcv_polygon,
+        positions: *const f64,
+        count: usize,
+        query: *const gcv_query,
+        options: *const gcv_options,
+        out: *mut gcv_escape,
     ) -> gcv_status;
     pub fn gcv_scene_cast(
         scene: *const gcv_scene,

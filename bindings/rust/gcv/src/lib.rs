@@ -6,13 +6,14 @@
 //!
 //! An [`OuterFace`] is one ring, the boundary of the unbounded face outside of the sum. A
 //! [`Region`] is the whole sum: its outer ring, its holes, and the segments and points where
-//! one polygon fits the other exactly; or where a polygon may go inside a container.
+//! one polygon fits the other exactly; or where a polygon may go inside a container or in a scene.
 //!
 //! [`relation`], [`distance`] and [`cast`] take two polygons and a translation of the second
 //! one, or many translations, and build nothing.
 //!
 //! A [`Scene`] holds many polygons at positions, and perhaps a container round them. It answers
-//! the same questions about all of them, and which of them are near each other.
+//! the same questions about all of them, and which of them are near each other. Its free region is
+//! where one more polygon may go.
 //!
 //! Every coordinate is a finite `f64` and stands for exactly that number; nothing is
 //! rounded but the coordinates that are handed back as `f64`. Polygons, outer faces, regions and

@@ -7,7 +7,8 @@ use gcv_sys as sys;
 ///
 /// In a no-fit region, the two polygons overlap with the point inside, touch with it on the
 /// boundary, and are apart with it outside. In an inner-fit region, the polygon fits into the
-/// container with the point inside or on the boundary.
+/// container with the point inside or on the boundary. In a free region, the polygon overlaps
+/// nothing at a position inside or on the boundary.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Location {
     /// In the interior of a polygon, and on no segment and no point.

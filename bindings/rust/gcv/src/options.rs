@@ -20,8 +20,8 @@ pub enum Rounding {
     /// the last place, for rings to be simple and not to cross.
     #[default]
     Nearest,
-    /// So that a returned sum contains the exact one, and a returned inner-fit region lies
-    /// inside the exact one: what is placed on a ring never overlaps. Segments and points
+    /// So that a returned sum contains the exact one, and a returned inner-fit or free region
+    /// lies inside the exact one: what is placed on a ring never overlaps. Segments and points
     /// that `f64` cannot show exactly are dropped.
     Outward,
 }
@@ -88,9 +88,9 @@ impl<'a> Options<'a> {
     /// finite, from 0 on. Above 0, each polygon is first simplified by at most half of it,
     /// see [`Polygon::simplified`](crate::Polygon::simplified), where that saves a quarter of
     /// its vertices, and the exact ring is that of the simplified polygons. With
-    /// [`Rounding::Outward`] the result still contains the exact sum. Must be 0 for inner
-    /// fits. Questions about two polygons, such as [`relation`](crate::relation), are exact
-    /// whatever it is.
+    /// [`Rounding::Outward`] the result still contains the exact sum. Must be 0 for inner fits,
+    /// for ways out of overlaps and for free positions in scenes. Other questions, such as
+    /// [`relation`](crate::relation), are exact whatever it is.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -134,8 +134,8 @@ impl<'a> Options<'a> {
         self
     }
 
-    /// Whether the holes of a sum are left out, to save time. Not for inner fits: obstacles
-    /// would be free there. Outer faces have no holes anyway.
+    /// Whether the holes of a sum are left out, to save time. Not for inner fits and free positions
+    /// in scenes: obstacles would be free there. Outer faces have no holes anyway.
     ///
     /// ```
     /// use gcv::{minkowski_sum_region, Options, Polygon};

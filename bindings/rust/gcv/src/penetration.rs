@@ -18,6 +18,8 @@ pub struct Escape(sys::gcv_escape);
 
 impl Escape {
     /// The length of the shortest way out, correctly rounded; 0 where they do not overlap.
+    ///
+    /// In a scene it is infinite where nothing is free.
     pub fn depth(&self) -> f64 {
         self.0.depth
     }
@@ -41,7 +43,14 @@ impl Escape {
         Relation::of(self.0.relation)
     }
 
-    /// What touches at the end of the way out; `None` where they do not overlap.
+    /// The id of what touches at the end of the way out in a [`Scene`](crate::Scene); 0 where
+    /// nothing overlaps, where nothing is free, and of two polygons.
+    pub fn id(&self) -> u64 {
+        self.0.contact.id_a
+    }
+
+    /// What touches at the end of the way out; `None` where they do not overlap, and where
+    /// nothing is free.
     pub fn contact(&self) -> Option<Contact> {
         Contact::of(self.0.contact)
     }
@@ -55,6 +64,7 @@ impl fmt::Debug for Escape {
             .field("translation", &self.translation())
             .field("position", &self.position())
             .field("relation", &self.relation())
+            .field("id", &self.id())
             .field("contact", &self.contact())
             .finish()
     }

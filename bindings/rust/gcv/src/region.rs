@@ -13,11 +13,12 @@ use crate::polygon::hash_ring;
 use crate::{stats, EdgeSource, Error, Location, Part, PartKind, Point, Polygon, Stats};
 
 /// Polygons with holes, segments and points: a whole sum, or where a polygon may go inside a
-/// container.
+/// container or in a scene.
 ///
 /// Made by [`minkowski_sum_region`](crate::minkowski_sum_region),
 /// [`no_fit_region`](crate::no_fit_region), [`entrance_region`](crate::entrance_region),
-/// [`inner_fit_region`](crate::inner_fit_region) and those that make many. It may be empty.
+/// [`inner_fit_region`](crate::inner_fit_region), those that make many, and
+/// [`Scene::free_region`](crate::Scene::free_region). It may be empty.
 /// It never changes: a clone is the same one, and costs nothing. Two are equal where all their
 /// parts are, the exact ones and those in `f64`. As text it is [`Region::wkt`].
 ///
@@ -210,7 +211,10 @@ impl Region {
 
     /// The source of every edge of the exact parts: element `i` is for the edge from exact
     /// vertex `i` to the next one of its part. `None` for the second end of a segment and for
-    /// a point, which have no edge.
+    /// a point, which have no edge, and for an edge that a window has cut.
+    ///
+    /// Of a free region, the first polygon is the container or the member that
+    /// [`Region::owners`] names, the second one is the one that moves.
     ///
     /// # Panics
     /// Without memory.
@@ -223,8 +227,27 @@ impl Region {
         sources.into_iter().map(convert).collect()
     }
 
-    /// The owner of every edge of the exact parts, as in [`Region::sources`]: the id of
-    /// the polygon of a scene that made it. All are 0 for regions of two polygons.
+    /// The owner of every edge of the exact parts, as in [`Region::sources`].
+    ///
+    /// It is the id of the member of the scene that made the edge, or
+    /// [`Scene::CONTAINER`](crate::Scene::CONTAINER); of several that made a straight edge, one
+    /// of them. It is 0 for an edge that a window has cut, and for what is no edge. All are 0
+    /// for regions of two polygons.
+    ///
+    /// ```
+    /// use gcv::{Options, Polygon, Query, Scene};
+    ///
+    /// # fn main() -> Result<(), gcv::Error> {
+    /// let square = |size| Polygon::new(&[[0., 0.], [size, 0.], [size, size], [0., size]]);
+    /// let mut scene = Scene::new();
+    /// scene.set_container(Some(&square(9.)?))?;
+    /// let id = scene.add(&square(2.)?, [0., 0.])?;
+    /// let region = scene.free_region(&square(1.)?, None, &Query::new(), &Options::new())?;
+    /// assert_eq!(region.vertices()[0..3], [[0., 2.], [2., 2.], [2., 0.]]);
+    /// assert_eq!(region.owners(), [id, id, 1, 1, 1, 1]);
+    /// # Ok(())
+    /// # }
+    /// ```
     pub fn owners(&self) -> Vec<u64> {
         // SAFETY: see `elements`.
         elements(|out, capacity, required| unsafe {

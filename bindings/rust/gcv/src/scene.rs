@@ -13,6 +13,7 @@ use crate::handle::Owned;
 use crate::lengths::same_length;
 use crate::{Error, Polygon};
 
+mod free;
 mod lists;
 mod questions;
 

@@ -7,7 +7,7 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use gcv::{cast, cast_into, distance, distance_into, relation, relation_into};
-use gcv::{Impact, Options, Polygon, Query, Relation, Scene, Separation};
+use gcv::{Escape, Impact, Options, Polygon, Query, Relation, Scene, Separation};
 
 struct Counting;
 
@@ -71,10 +71,14 @@ fn questions_to_scenes() {
     let (positions, mut relations) = ([at; 100], [Relation::Apart; 100]);
     let mut separations = [Separation::default(); 100];
     let mut impacts = [Impact::default(); 100];
+    let mut escapes = [Escape::default(); 100];
+    scene.set_container(Some(&square)).unwrap();
     let count = allocations(|| {
         scene.relation(&square, at, &query, &options).unwrap();
         scene.distance(&square, at, &query, &options).unwrap();
         scene.cast(&square, at, at, &query, &options).unwrap();
+        scene.penetration(&square, at, &query, &options).unwrap();
+        scene.best(&square, at, &query, &options).unwrap();
         let (moving, from) = (&square, &positions);
         scene
             .relation_into(moving, from, &query, &options, &mut relations)
@@ -84,6 +88,9 @@ fn questions_to_scenes() {
             .unwrap();
         scene
             .cast_into(moving, from, from, &query, &options, &mut impacts)
+            .unwrap();
+        scene
+            .penetration_into(moving, from, &query, &options, &mut escapes)
             .unwrap();
     });
     assert_eq!(count, 0);

@@ -11,10 +11,10 @@ use proptest::prelude::*;
 
 use crate::name;
 
-type Ring = Vec<[f64; 2]>;
+pub type Ring = Vec<[f64; 2]>;
 
 /// Rings of polygons.
-fn rings(size: i32) -> impl Strategy<Value = Ring> {
+pub fn rings(size: i32) -> impl Strategy<Value = Ring> {
     prop::collection::vec([0..size, 0..size], 3..8).prop_filter_map("no polygon", |ring| {
         let ring: Ring = ring
             .into_iter()
@@ -24,19 +24,19 @@ fn rings(size: i32) -> impl Strategy<Value = Ring> {
     })
 }
 
-fn polygons() -> impl Strategy<Value = Polygon> {
+pub fn polygons() -> impl Strategy<Value = Polygon> {
     rings(6).prop_map(|ring| Polygon::new(&ring).unwrap())
 }
 
 /// Rings of containers, without collinear vertices: of edges that are merged, the number would be
 /// that of the first along a ring that is a hole here.
-fn container_rings() -> impl Strategy<Value = Ring> {
+pub fn container_rings() -> impl Strategy<Value = Ring> {
     rings(24).prop_filter("collinear", |ring| {
         Polygon::new(ring).unwrap().vertices().len() == ring.len()
     })
 }
 
-fn vectors(range: std::ops::Range<i32>) -> impl Strategy<Value = [f64; 2]> {
+pub fn vectors(range: std::ops::Range<i32>) -> impl Strategy<Value = [f64; 2]> {
     [range.clone(), range].prop_map(|vector| vector.map(f64::from))
 }
 

@@ -3,10 +3,14 @@
 
 //! Scenes; here what the tests of several subjects need.
 
+mod best;
 mod brute_force;
+mod free;
+mod free_brute_force;
 mod lists;
 mod members;
 mod options;
+mod puzzles;
 mod queries;
 mod questions;
 mod refusals;

@@ -8,7 +8,7 @@ use std::panic::{catch_unwind, AssertUnwindSafe};
 
 use gcv::status::*;
 use gcv::{Contact, ContactList, Impact, Options, Pair, PairList, Query, Relation, Scene};
-use gcv::{Error, Separation};
+use gcv::{Error, Escape, Region, Separation};
 
 use crate::{all, assert_fails, sheet, square, squares, status};
 
@@ -34,6 +34,9 @@ type Answers = (
     PairList,
     PairList,
     ContactList,
+    Region,
+    Option<[f64; 2]>,
+    Vec<Escape>,
 );
 
 fn ask(scene: &Scene, options: &Options) -> Result<Answers, Error> {
@@ -46,6 +49,9 @@ fn ask(scene: &Scene, options: &Options) -> Result<Answers, Error> {
         scene.near(&moving, [7., 7.], 3., &query, options)?,
         scene.pairs(None, 0.25, &query, options)?,
         scene.contacts(None, 0.25, 0., &query, options)?,
+        scene.free_region(&moving, None, &query, options)?,
+        scene.best(&moving, [3., -1.], &query, options)?,
+        scene.penetration_many(&moving, &from[..COUNT / 20], &query, options)?,
     ))
 }
 
@@ -54,6 +60,9 @@ fn threads_give_the_same() {
     let scene = crowd();
     let one = ask(&scene, &Options::new()).unwrap();
     assert!(one.4.len() > 400 && one.5.len() > 400);
+    // Between the squares there is just the room.
+    assert_eq!(one.6.segments().len(), 20);
+    assert!(one.7.is_some());
     for threads in [0, 2, 5, usize::MAX] {
         assert!(ask(&scene, &Options::new().threads(threads)).unwrap() == one);
     }
@@ -122,37 +131,40 @@ fn scenes_and_answers_are_shared() {
     assert_eq!(moved.join().unwrap().len(), 2);
 }
 
-#[test]
-fn progress_counts_positions() {
-    let (scene, from, mut reports) = (crowd(), positions(), vec![]);
+/// What a question reports: never fewer steps than before, nor more than are estimated.
+fn reports<T>(ask: impl FnOnce(&Options) -> Result<T, Error>) -> Vec<(u64, u64)> {
+    let mut reports = vec![];
     let options = Options::new().progress(|done, estimate| {
         reports.push((done, estimate));
         Continue(())
     });
-    let query = all();
-    scene
-        .distance_many(&square(0.25), &from, &query, &options)
-        .unwrap();
-    drop(options);
-    assert_eq!(reports.last(), Some(&(COUNT as u64, COUNT as u64)));
-    let grows = |pair: &[(u64, u64)]| pair[0].0 <= pair[1].0;
-    assert!(reports.windows(2).all(grows), "{reports:?}");
-}
-
-#[test]
-fn progress_of_lists() {
-    let (scene, mut reports) = (crowd(), vec![]);
-    let options = Options::new().progress(|done, estimate| {
-        reports.push((done, estimate));
-        Continue(())
-    });
-    scene.contacts(None, 0.25, 0., &all(), &options).unwrap();
+    assert!(ask(&options).is_ok());
     drop(options);
     assert!(!reports.is_empty());
     let grows = |pair: &[(u64, u64)]| pair[0].0 <= pair[1].0;
     assert!(reports.windows(2).all(grows), "{reports:?}");
     let below = |report: &(u64, u64)| report.0 <= report.1;
     assert!(reports.iter().all(below), "{reports:?}");
+    reports
+}
+
+#[test]
+fn progress_counts_positions() {
+    let (scene, moving, from, query) = (crowd(), square(0.25), positions(), all());
+    let distances = reports(|options| scene.distance_many(&moving, &from, &query, options));
+    let count = COUNT as u64;
+    assert_eq!(distances.last(), Some(&(count, count)));
+    let from = &from[..100];
+    let ways = reports(|options| scene.penetration_many(&moving, from, &query, options));
+    assert_eq!(ways.last(), Some(&(100, 100)));
+}
+
+#[test]
+fn progress_of_lists_and_regions() {
+    let (scene, moving, query) = (crowd(), square(0.25), all());
+    reports(|options| scene.contacts(None, 0.25, 0., &query, options));
+    reports(|options| scene.free_region(&moving, None, &query, options));
+    reports(|options| scene.best(&moving, [1., 0.], &query, options));
 }
 
 #[test]
@@ -161,6 +173,7 @@ fn breaking_cancels() {
     let mut relations = vec![Relation::Apart; COUNT];
     let mut separations = vec![Separation::default(); COUNT];
     let mut impacts = vec![Impact::default(); COUNT];
+    let mut escapes = vec![Escape::default(); COUNT];
     for threads in [1, 3] {
         let options = Options::new().progress(|_, _| Break(())).threads(threads);
         let options = &options;
@@ -169,6 +182,12 @@ fn breaking_cancels() {
         let failed = scene.distance_into(&moving, &from, &query, options, &mut separations);
         assert_eq!(status(failed), GCV_ERR_CANCELLED);
         let failed = scene.cast_into(&moving, &from, &from, &query, options, &mut impacts);
+        assert_eq!(status(failed), GCV_ERR_CANCELLED);
+        let failed = scene.penetration_into(&moving, &from, &query, options, &mut escapes);
+        assert_eq!(status(failed), GCV_ERR_CANCELLED);
+        let failed = scene.free_region(&moving, None, &query, options);
+        assert_eq!(status(failed), GCV_ERR_CANCELLED);
+        let failed = scene.best(&moving, [1., 0.], &query, options);
         assert_eq!(status(failed), GCV_ERR_CANCELLED);
         let failed = scene.near(&moving, [7., 7.], 3., &query, options);
         assert_eq!(status(failed), GCV_ERR_CANCELLED);
@@ -180,6 +199,7 @@ fn breaking_cancels() {
     assert!(relations == vec![Relation::Apart; COUNT]);
     assert!(separations == vec![Separation::default(); COUNT]);
     assert!(impacts == vec![Impact::default(); COUNT]);
+    assert!(escapes == vec![Escape::default(); COUNT]);
 }
 
 #[test]
@@ -190,6 +210,9 @@ fn panics_go_on_in_the_caller() {
     let panic = catch_unwind(ask).unwrap_err();
     assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
     let ask = AssertUnwindSafe(|| scene.relation(&square(1.), [0., 0.], &all(), &options));
+    let panic = catch_unwind(ask).unwrap_err();
+    assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
+    let ask = AssertUnwindSafe(|| scene.free_region(&square(1.), None, &all(), &options));
     let panic = catch_unwind(ask).unwrap_err();
     assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
 }
@@ -226,4 +249,33 @@ fn options_that_are_refused() {
         refused,
         message,
     );
+}
+
+#[test]
+fn options_that_free_positions_refuse() {
+    let (scene, unit, query) = (crowd(), square(1.), all());
+    for (options, message) in [
+        (Options::new().tolerance(0.5), "options: tolerance is 0.5"),
+        (
+            Options::new().leave_out_holes(true),
+            "options: leave_out has GCV_LEAVE_OUT_HOLES",
+        ),
+    ] {
+        let refused = GCV_ERR_INVALID_ARGUMENT;
+        let region = scene.free_region(&unit, None, &query, &options);
+        assert_fails(region, refused, message);
+        let best = scene.best(&unit, [1., 0.], &query, &options);
+        assert_fails(best, refused, message);
+        let escape = scene.penetration(&unit, [1., 0.], &query, &options);
+        assert_fails(escape, refused, message);
+    }
+}
+
+#[test]
+fn without_fits() {
+    let (scene, moving) = (crowd(), square(0.25));
+    let region = |options: Options| scene.free_region(&moving, None, &all(), &options).unwrap();
+    let without = region(Options::new().leave_out_fits(true));
+    assert!(without.segments().is_empty() && without.points().is_empty());
+    assert_eq!(without.wkt(), region(Options::new()).wkt());
 }

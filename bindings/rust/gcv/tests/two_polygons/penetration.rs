@@ -26,7 +26,7 @@ fn the_shortest_way_out() {
     assert_eq!(contact.normal(), [1., 0.]);
     let debug = format!(
         "Escape {{ depth: 1.0, translation: [1.0, 0.0], position: [4.0, 1.0], \
-         relation: Touching, contact: Some({contact:?}) }}"
+         relation: Touching, id: 0, contact: Some({contact:?}) }}"
     );
     assert_eq!(format!("{found:?}"), debug);
 
