@@ -11,7 +11,21 @@
 #include <xmmintrin.h>
 #endif
 
-#include "record.h"
+#include "scenes.h"
+
+/* Two members and a container, at places where they have no doubles. */
+static void put_scene_of(struct record *record, const gcv_polygon *a, const gcv_polygon *b) {
+  const gcv_polygon *members[2];
+  const double positions[] = {0.1, 0.2, 1e9, 0.3};
+  uint64_t ids[2];
+  gcv_scene *scene = new_scene();
+  members[0] = members[1] = a;
+  if (put_status(record, gcv_scene_set_container(scene, b)) &&
+      put_status(record, gcv_scene_add(scene, members, positions, 2, ids))) {
+    put_scene(record, scene);
+  }
+  gcv_scene_destroy(scene);
+}
 
 static void put_everything(struct record *record) {
   int pair;
@@ -20,6 +34,7 @@ static void put_everything(struct record *record) {
     if (put_status(record, pair_polygon(pair, 0, &a)) &&
         put_status(record, pair_polygon(pair, 1, &b))) {
       put_pair(record, a, b, pair_tolerances[pair]);
+      if (pair < 2) put_scene_of(record, b, a); /* integers and fractions */
     }
     gcv_polygon_destroy(a);
     gcv_polygon_destroy(b);

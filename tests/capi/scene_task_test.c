@@ -19,7 +19,7 @@ static int32_t report(void *context, uint64_t done, uint64_t estimate) {
   return ++progress->calls == progress->ends_at;
 }
 
-enum { MOST = 20000, SIDE = 5 };
+enum { MOST = 20000, FEW = 400, SIDE = 5 };
 
 static gcv_scene *scene;
 static gcv_polygon *unit;
@@ -29,6 +29,10 @@ static gcv_separation separations[MOST];
 static gcv_impact impacts[MOST];
 static gcv_pair_list *pairs;
 static gcv_contact_list *contacts;
+static gcv_region *region;
+static gcv_escape escapes[FEW];
+static double best[2];
+static int32_t found;
 
 static gcv_status ask_relation(const gcv_options *options) {
   return gcv_scene_relation(scene, unit, positions, MOST, NULL, options, relations);
@@ -48,19 +52,33 @@ static gcv_status ask_pairs(const gcv_options *options) {
 static gcv_status ask_contacts(const gcv_options *options) {
   return gcv_scene_contacts(scene, NULL, 1, 0, NULL, options, &contacts);
 }
+static gcv_status ask_free_region(const gcv_options *options) {
+  return gcv_scene_free_region(scene, unit, NULL, NULL, options, &region);
+}
+static gcv_status ask_best(const gcv_options *options) {
+  static const double direction[] = {1, 0.5};
+  return gcv_scene_best(scene, unit, direction, NULL, options, best, &found);
+}
+static gcv_status ask_penetration(const gcv_options *options) {
+  return gcv_scene_penetration(scene, unit, positions, FEW, NULL, options, escapes);
+}
 
 static void forget(void) {
   gcv_pair_list_destroy(pairs);
   gcv_contact_list_destroy(contacts);
+  gcv_region_destroy(region);
   pairs = NULL;
   contacts = NULL;
+  region = NULL;
   relations[0] = 77;
-  separations[0].distance = impacts[0].time = 77;
+  separations[0].distance = impacts[0].time = escapes[0].depth = 77;
+  best[0] = found = 77;
 }
 
 static int is_untouched(void) {
   return pairs == NULL && contacts == NULL && relations[0] == 77 && separations[0].distance == 77 &&
-         impacts[0].time == 77;
+         impacts[0].time == 77 && region == NULL && escapes[0].depth == 77 && best[0] == 77 &&
+         found == 77;
 }
 
 static void follow(gcv_status (*ask)(const gcv_options *options), int32_t threads) {
@@ -89,10 +107,12 @@ static void follow(gcv_status (*ask)(const gcv_options *options), int32_t thread
 }
 
 int main(void) {
+  gcv_polygon *room = POLYGON(-3, -3, 11, -3, 11, 11, -3, 11);
   int k;
   int32_t threads;
   unit = SQUARE(1);
   scene = new_scene();
+  CHECK_OK(gcv_scene_set_container(scene, room));
   for (k = 0; k < SIDE * SIDE; ++k) add(scene, unit, 1.5 * (k % SIDE), 1.5 * (k / SIDE));
   for (k = 0; k < MOST; ++k) {
     positions[2 * k] = (k % 173) / 16.0 - 2;
@@ -105,9 +125,13 @@ int main(void) {
     follow(ask_near, threads);
     follow(ask_pairs, threads);
     follow(ask_contacts, threads);
+    follow(ask_free_region, threads);
+    follow(ask_best, threads);
+    follow(ask_penetration, threads);
   }
   forget();
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(unit);
+  gcv_polygon_destroy(room);
   return check_failures != 0;
 }

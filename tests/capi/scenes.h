@@ -90,6 +90,28 @@ static inline void put_members(struct record *record, const gcv_scene *scene) {
   }
 }
 
+/* Where the polygon is free, with one query. Without a container there is no best position. */
+static inline void put_free(struct record *record, const gcv_scene *scene,
+                            const gcv_polygon *moving, const gcv_query *query) {
+  static const double places[] = {0, 0, 3, 0.1, -7, 2, 1e9, 0.3};
+  static const double window[] = {-10, -10, 10, 9.9}, direction[] = {-1, 0.25};
+  gcv_region *region = NULL;
+  gcv_escape escapes[4];
+  double best[2];
+  int32_t found = 0;
+  if (put_status(record, gcv_scene_free_region(scene, moving, window, query, NULL, &region))) {
+    put_region(record, region);
+  }
+  gcv_region_destroy(region);
+  if (put_status(record, gcv_scene_best(scene, moving, direction, query, NULL, best, &found))) {
+    put(record, best, sizeof best);
+    put(record, &found, sizeof found);
+  }
+  if (put_status(record, gcv_scene_penetration(scene, moving, places, 4, query, NULL, escapes))) {
+    put(record, escapes, sizeof escapes);
+  }
+}
+
 /* What the scene answers about itself and about a polygon, with one query. */
 static inline void put_answers(struct record *record, const gcv_scene *scene,
                                const gcv_polygon *moving, const gcv_query *query) {
@@ -118,6 +140,7 @@ static inline void put_answers(struct record *record, const gcv_scene *scene,
   if (put_status(record, gcv_scene_contacts(scene, NULL, 1, 0.125, query, NULL, &contacts))) {
     put_contacts(record, contacts);
   }
+  put_free(record, scene, moving, query);
   gcv_pair_list_destroy(near);
   gcv_pair_list_destroy(pairs);
   gcv_contact_list_destroy(contacts);

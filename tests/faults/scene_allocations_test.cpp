@@ -15,10 +15,12 @@ namespace {
 using gcv::faults::Attempt;
 using gcv::faults::check;
 using gcv::faults::Faults;
+using gcv::faults::free_region_of;
 using gcv::faults::made;
 using gcv::faults::NewScene;
 using gcv::faults::Outcome;
 using gcv::faults::Owner;
+using gcv::faults::Places;
 using gcv::faults::run;
 using gcv::faults::SceneQuestion;
 using gcv::faults::starve;
@@ -158,15 +160,14 @@ void starve_handles() {
 // ----------------------------------------------------------------------- questions --
 
 // The scene is new: the call prepares its polygons. Once it has failed, the same ones must do.
-Attempt answers(const SceneQuestion& question, std::size_t count, const gcv_query& query,
+Attempt answers(const SceneQuestion& question, const Places& places, const gcv_query& query,
                 Threads threads = Threads::one) {
   gcv_options options = GCV_OPTIONS_INIT;
   options.threads = threads == Threads::many ? 3 : 1;
-  const gcv::faults::Places places = gcv::faults::scene_places(count);
   const std::string expected = gcv::faults::answers(question, NewScene(), places, &query, nullptr);
   return [=](const Faults& faults) {
     const NewScene scene;
-    const std::string untouched(count * question.answer_size, '?');
+    const std::string untouched(places.count() * question.answer_size, '?');
     std::string out = untouched;
     const gcv_status status =
         run(faults, [&] { return question.ask(scene, places, &query, &options, out.data()); });
@@ -180,8 +181,8 @@ Attempt answers(const SceneQuestion& question, std::size_t count, const gcv_quer
 // With many positions threads are asked for. Then the questions are about no member: one more
 // allocation at each position would make too many trials.
 void starve_questions() {
-  constexpr std::size_t few = 6;
-  constexpr std::size_t many = 140;
+  const Places few = gcv::faults::scene_places(6);
+  const Places many = gcv::faults::scene_places(140);
   const gcv_query all = GCV_QUERY_INIT;
   gcv_query none = GCV_QUERY_INIT;
   none.layers = 0;
@@ -192,6 +193,46 @@ void starve_questions() {
            Threads::many);
     check(gcv::faults::threads_refused > 0, question.name, " asks for no threads");
   }
+  // Where the polygon overlaps a member, the container, and both.
+  const Places overlapping{{{0.25, 0.5}, {19.5, 4}, {-10, -20}}, {{0, 0}, {0, 0}, {0, 0}}};
+  starve("gcv_scene_penetration of overlaps",
+         answers(gcv::faults::scene_questions[3], overlapping, all));
+}
+
+// Of a new scene, and of a new polygon.
+void starve_free_regions() {
+  gcv_query query = GCV_QUERY_INIT;
+  for (const std::uint32_t layers : {UINT32_MAX, 0U}) {
+    query.layers = layers;
+    const std::string expected = transcript(made<gcv_region>([&](gcv_region** out) {
+                                              return free_region_of(NewScene(), &query, out);
+                                            }).get());
+    starve("gcv_scene_free_region", [=](const Faults& faults) {
+      const NewScene scene;
+      const auto of_scene = [&](gcv_region** out) { return free_region_of(scene, &query, out); };
+      const Outcome outcome = gcv::faults::handle<gcv_region>(of_scene)(faults);
+      check(outcome.status == GCV_OK || transcript(made<gcv_region>(of_scene).get()) == expected,
+            "gcv_scene_free_region", " gives another region once it has failed");
+      return outcome;
+    });
+  }
+}
+
+void starve_best() {
+  starve("gcv_scene_best", [](const Faults& faults) {
+    const NewScene scene;
+    const gcv::faults::Best untouched{{77, 78}, 79};
+    gcv::faults::Best best = untouched;
+    const gcv_status status =
+        run(faults, [&] { return gcv::faults::best_in(scene, nullptr, &best); });
+    const auto bytes = [](const gcv::faults::Best& b) {
+      std::string text;
+      gcv::faults::append(text, b.position);
+      gcv::faults::append(text, b.found);
+      return text;
+    };
+    return Outcome{status, bytes(best) == bytes(untouched), bytes(best)};
+  });
 }
 
 // call(scene, out) gives a list.
@@ -268,5 +309,7 @@ int main() {
   starve_changes();
   starve_growth();
   starve_questions();
+  starve_free_regions();
+  starve_best();
   starve_lists();
 }

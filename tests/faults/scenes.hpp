@@ -91,6 +91,12 @@ inline constexpr SceneQuestion scene_questions[] = {
        return gcv_scene_cast(s.scene.get(), s.moving.get(), places.xy(), places.motions_xy(),
                              places.count(), query, options, static_cast<gcv_impact*>(out));
      }},
+    {"gcv_scene_penetration", sizeof(gcv_escape),
+     [](const NewScene& s, const Places& places, const gcv_query* query, const gcv_options* options,
+        void* out) {
+       return gcv_scene_penetration(s.scene.get(), s.moving.get(), places.xy(), places.count(),
+                                    query, options, static_cast<gcv_escape*>(out));
+     }},
 };
 
 inline std::string answers(const SceneQuestion& question, const NewScene& scene,
@@ -99,6 +105,22 @@ inline std::string answers(const SceneQuestion& question, const NewScene& scene,
   std::string bytes(places.count() * question.answer_size, '?');
   require(question.ask(scene, places, query, options, bytes.data()));
   return bytes;
+}
+
+inline gcv_status free_region_of(const NewScene& s, const gcv_query* query, gcv_region** out) {
+  static constexpr double window[] = {-9, -8.5, 9, 8};
+  return gcv_scene_free_region(s.scene.get(), s.moving.get(), window, query, nullptr, out);
+}
+
+struct Best {
+  double position[2];
+  std::int32_t found;
+};
+
+inline gcv_status best_in(const NewScene& s, const gcv_query* query, Best* out) {
+  static constexpr double direction[] = {-2, 1};
+  return gcv_scene_best(s.scene.get(), s.moving.get(), direction, query, nullptr, out->position,
+                        &out->found);
 }
 
 inline gcv_status near(const NewScene& s, const gcv_query* query, gcv_pair_list** out) {
@@ -140,6 +162,11 @@ inline std::string transcript(const NewScene& s) {
     }
     bytes += transcript(
         made<gcv_pair_list>([&](gcv_pair_list** out) { return near(s, &query, out); }).get());
+    bytes += transcript(
+        made<gcv_region>([&](gcv_region** out) { return free_region_of(s, &query, out); }).get());
+    Best best{};
+    append(bytes, best_in(s, &query, &best));  // there may be no container
+    append(bytes, best.position);
   }
   bytes += transcript(made<gcv_pair_list>([&](gcv_pair_list** out) {
                         return pairs_of(s, nullptr, nullptr, out);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Where polygons are free in scenes, on random members on small grids: the free region by the
+// relation at many places, the best positions and the ways out of overlaps by the free region.
+//   scene_free_test [--cases=N] [--seed=N]: scenes of each unit.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "case_options.hpp"
+#include "free_agreement.hpp"
+#include "free_scenes.hpp"
+#include "scene_of_case.hpp"
+#include "scene_texts.hpp"
+
+namespace gcv::test {
+namespace {
+
+CaseOptions chosen{600};
+
+std::string text_of_window(const Window& window) {
+  return !window ? ", no window"
+                 : "\nwindow " + text_of(Point{(*window)[0], (*window)[1]}) + " to " +
+                       text_of(Point{(*window)[2], (*window)[3]});
+}
+
+// Does the query admit the container?
+bool has_container(const SceneOfCase& c) {
+  const PlacedSolids solids = asked_solids(c.checked, c.asked());
+  return !solids.empty() && solids.front()->id == 1;
+}
+
+// Calls check(case, window) for scenes with that unit.
+template <class Check>
+void for_each_scene(double unit, Check check) {
+  Random random(chosen.seed);
+  for (int k = 0; k < chosen.cases; ++k) {
+    const FreeScene scene = free_scene(random, unit, 6, 60);
+    const SceneOfCase c(scene.scene, random);
+    for (const std::string& message : check(c, scene.window)) {
+      ADD_FAILURE() << "case " << k << ": " << message << text_of(c.description, c.ids)
+                    << text_of(c.query) << text_of_window(scene.window);
+    }
+  }
+}
+
+// Large enough for the ways out, where no container bounds them.
+Window window_around(double unit) { return {{-64 * unit, -64 * unit, 64 * unit, 64 * unit}}; }
+
+class FreePositions : public ::testing::TestWithParam<double> {};
+
+TEST_P(FreePositions, AreWhereNothingOverlaps) {
+  FreeCounts counts;
+  for_each_scene(GetParam(), [&](const SceneOfCase& c, Window window) {
+    const MovingPolygon moving = c.moving();
+    const FreeQuestion question{c.checked, moving, c.asked()};
+    window = window || has_container(c) ? window : window_around(GetParam());
+    return check_places(question, question.region(window).get(), window, c.description.positions,
+                        counts);
+  });
+  std::printf(
+      "%d scenes, seed %llu: %zu polygons, %zu holes, %zu segments, %zu points; places: %zu "
+      "inside, "
+      "%zu on boundaries, %zu outside, %zu on borders\n",
+      chosen.cases, static_cast<unsigned long long>(chosen.seed), counts.polygons, counts.holes,
+      counts.segments, counts.points, counts.inside, counts.boundary, counts.outside,
+      counts.on_border);
+}
+
+TEST_P(FreePositions, AreTheFurthestInADirection) {
+  static const Points directions{{-1, 0}, {0, -1}, {1, 0}, {1, 1}, {-3, 2}, {0.1, -0.3}};
+  FreeCounts counts;
+  for_each_scene(GetParam(), [&](const SceneOfCase& c, const Window&) {
+    if (!has_container(c)) {
+      return Messages{};
+    }
+    const MovingPolygon moving = c.moving();
+    const FreeQuestion question{c.checked, moving, c.asked()};
+    return check_best(question, exact_parts(question.region({}).get()), directions, counts);
+  });
+  std::printf("%d scenes, seed %llu: %zu ties, %zu without a free position, %zu overlap\n",
+              chosen.cases, static_cast<unsigned long long>(chosen.seed), counts.ties, counts.none,
+              counts.contacts.not_free);
+}
+
+TEST_P(FreePositions, AreTheNearestOnes) {
+  FreeCounts counts;
+  for_each_scene(GetParam(), [&](const SceneOfCase& c, const Window&) {
+    const MovingPolygon moving = c.moving();
+    const FreeQuestion question{c.checked, moving, c.asked()};
+    const Window window = has_container(c) ? Window{} : window_around(GetParam());
+    const Points positions(c.description.positions.begin(), c.description.positions.begin() + 8);
+    return check_ways_out(question, exact_parts(question.region(window).get()), positions, counts);
+  });
+  std::printf("%d scenes, seed %llu: %zu overlaps, %zu ties, %zu without a way out, %zu overlap\n",
+              chosen.cases, static_cast<unsigned long long>(chosen.seed),
+              counts.contacts.overlapping, counts.ties, counts.none, counts.contacts.not_free);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, FreePositions, ::testing::Values(1, 0.1));
+
+}  // namespace
+}  // namespace gcv::test
+
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::test::chosen, argc, argv); }
