@@ -3,15 +3,16 @@
 // gcv_nesting [LIMIT [NAME...]]
 //
 // Bottom-left layouts of nesting instances: parts go into a strip one after another, the largest
-// first, unturned, each to the lexicographically smallest of its free positions. Prints a table in
-// Markdown: libgcv beside CGAL and Clipper2. A peer stops after LIMIT seconds of a layout, 30 by
-// default, and is compared with libgcv's time for as many parts. Exit status 1 if a part that
-// libgcv has placed overlaps anything.
+// first, unturned, each to the lexicographically smallest of its free positions. Prints two tables
+// in Markdown, times and layouts: libgcv beside CGAL and Clipper2. A peer stops after LIMIT seconds
+// of a layout, 10 by default, and is compared with libgcv's time for as many parts. Exit status 1
+// if a part that libgcv has placed overlaps anything.
 #include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -112,16 +113,28 @@ std::vector<NestingJob> jobs_in(const std::filesystem::path& directory) {
 
 struct System {
   const char* name;
-  std::unique_ptr<Nester> (*make)(const NestingJob& job);
+  std::function<std::unique_ptr<Nester>(const NestingJob&)> make;
+  bool is_peer = true;
+  bool is_counted = true;  // else its layout is that of another one
 };
 
+std::function<std::unique_ptr<Nester>(const NestingJob&)> with(
+    std::unique_ptr<Nester> (*make)(const NestingJob&, NoFits), NoFits no_fits) {
+  return [=](const NestingJob& job) { return make(job, no_fits); };
+}
+
 const std::vector<System>& all_systems() {
-  static const std::vector<System> systems{{"libgcv, best", libgcv_best_nester},
-                                           {"libgcv, region", libgcv_region_nester},
+  static const std::vector<System> systems{
+      {"best", libgcv_best_nester, false},
+      {"region", libgcv_region_nester, false},
 #ifdef GCV_BENCH_CLIPPER2
-                                           {"Clipper2", clipper2_nester},
+      {"Clipper2", with(clipper2_nester, NoFits::kept)},
 #endif
-                                           {"CGAL", cgal_nester}};
+      {"CGAL", with(cgal_nester, NoFits::kept)},
+#ifdef GCV_BENCH_CLIPPER2
+      {"Clipper2 anew", with(clipper2_nester, NoFits::anew), true, false},
+#endif
+      {"CGAL anew", with(cgal_nester, NoFits::anew), true, false}};
   return systems;
 }
 
@@ -171,9 +184,8 @@ std::vector<std::vector<Layout>> rounds_of(const NestingJob& job, double limit) 
   do {
     std::vector<Layout>& round = rounds.emplace_back();
     for (const System& system : all_systems()) {
-      const bool is_peer = &system - all_systems().data() > 1;
       round.push_back(
-          layout_of(system, job, is_peer ? limit : std::numeric_limits<double>::infinity()));
+          layout_of(system, job, system.is_peer ? limit : std::numeric_limits<double>::infinity()));
       longest = std::max(longest, round.back().seconds.back());
     }
   } while (rounds.size() < (longest < 0.5 ? 9U : longest < 5 ? 3U : 1U));
@@ -190,8 +202,21 @@ double median_of(const std::vector<std::vector<Layout>>& rounds, Get get) {
   return median(values);
 }
 
-// Prints a line. Returns whether no part overlaps that libgcv has placed.
-bool measure(const NestingJob& job, double limit) {
+// A line of each table, and whether no part overlaps that libgcv has placed.
+struct Lines {
+  std::string times;
+  std::string layouts;
+  bool is_right = true;
+};
+
+template <class... Values>
+std::string cell(const char* format, Values... values) {
+  char text[100];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+Lines measure(const NestingJob& job, double limit) {
   std::size_t vertices = 0;
   for (const std::size_t shape : job.order) {
     vertices += job.shapes[shape].size();
@@ -201,52 +226,54 @@ bool measure(const NestingJob& job, double limit) {
   std::string ratios;
   std::string lengths;
   std::string overlaps;
-  bool is_right = true;
-  char text[100];
+  Lines lines;
   for (std::size_t k = 0; k < all_systems().size(); ++k) {
+    const System& system = all_systems()[k];
     const Layout& layout = rounds.front()[k];
     const bool is_whole = layout.size() == job.order.size();
     const double ms = median_of(
         rounds, [&](const std::vector<Layout>& round) { return 1000 * round[k].seconds.back(); });
-    std::snprintf(text, sizeof text, is_whole ? " %.3g |" : " %.0f (%zu parts) |", ms,
-                  layout.size());
-    times += text;
+    times += is_whole ? cell(" %.3g |", ms) : cell(" > %.0f (%zu) |", ms, layout.size());
     if (k > 0) {
-      std::snprintf(text, sizeof text, " %.3g |",
-                    median_of(rounds, [&](const std::vector<Layout>& round) {
-                      return round[k].seconds.back() / round[0].seconds[round[k].size() - 1];
-                    }));
-      ratios += text;
+      ratios += cell(" %.3g |", median_of(rounds, [&](const std::vector<Layout>& round) {
+                       return round[k].seconds.back() / round[0].seconds[round[k].size() - 1];
+                     }));
     }
-    std::snprintf(text, sizeof text, " %.6g |", used_length(job, layout));
-    lengths += is_whole ? text : " - |";
-    const std::size_t overlapping = count_overlapping(job, layout.positions);
-    const auto lost =
-        std::count(layout.positions.begin(), layout.positions.end(), std::optional<Point>());
-    std::snprintf(text, sizeof text, lost > 0 ? " %zu (%td not placed) |" : " %zu |", overlapping,
-                  lost);
-    overlaps += text;
-    is_right = is_right && (k > 1 || (overlapping == 0 && lost == 0));
+    if (system.is_counted) {
+      const std::size_t overlapping = count_overlapping(job, layout.positions);
+      const auto lost =
+          std::count(layout.positions.begin(), layout.positions.end(), std::optional<Point>());
+      lengths += is_whole ? cell(" %.6g |", used_length(job, layout)) : " - |";
+      overlaps +=
+          is_whole ? cell(" %zu", overlapping) : cell(" %zu of %zu", overlapping, layout.size());
+      overlaps += lost > 0 ? cell(", %td lost |", lost) : " |";
+      lines.is_right = lines.is_right && (system.is_peer || (overlapping == 0 && lost == 0));
+    }
   }
-  std::printf("| %s | %zu | %zu |%s%s%s%s\n", job.name.c_str(), job.order.size(), vertices,
-              times.c_str(), ratios.c_str(), lengths.c_str(), overlaps.c_str());
-  std::fflush(stdout);
-  return is_right;
+  lines.times = cell("| %s | %zu | %zu |", job.name.c_str(), job.order.size(), vertices) + times +
+                ratios + '\n';
+  lines.layouts = "| " + job.name + " |" + lengths + overlaps + '\n';
+  return lines;
 }
 
-void print_header() {
-  std::string names = "| instance | parts | vertices |";
-  std::string line = "| --- | ---: | ---: |";
-  const std::string base = all_systems().front().name;
-  for (const char* const what : {" ms", " : best", ", length", ", overlaps"}) {
+// A heading with two columns of each system, but for the second one of the first where it is a
+// ratio.
+std::string heading(std::string names, const char* first, const char* second,
+                    bool is_about_layouts) {
+  for (const char* const what : {first, second}) {
     for (const System& system : all_systems()) {
-      if (what != std::string(" : best") || system.name != base) {
+      const bool is_ratio_to_itself =
+          !is_about_layouts && what == second && &system == all_systems().data();
+      if (!is_ratio_to_itself && (system.is_counted || !is_about_layouts)) {
         names += ' ' + std::string(system.name) + what + " |";
-        line += " ---: |";
       }
     }
   }
-  std::printf("%s\n%s\n", names.c_str(), line.c_str());
+  std::string line = "| ---";
+  for (auto bars = std::count(names.begin(), names.end(), '|'); bars > 2; --bars) {
+    line += " | ---:";
+  }
+  return names + '\n' + line + " |\n";
 }
 
 int run(double limit, const std::vector<std::string>& names) {
@@ -255,13 +282,19 @@ int run(double limit, const std::vector<std::string>& names) {
     std::puts("No polygon data: set GCV_DATA_DIR.");
     return 0;
   }
-  print_header();
+  std::fputs(heading("| instance | parts | vertices |", " ms", " : best", false).c_str(), stdout);
+  std::string layouts = heading("| instance |", ", length", ", overlaps", true);
   bool is_right = true;
   for (const NestingJob& job : jobs_in(*directory)) {
     if (names.empty() || contains(names, job.name)) {
-      is_right = measure(job, limit) && is_right;
+      const Lines lines = measure(job, limit);
+      std::fputs(lines.times.c_str(), stdout);
+      std::fflush(stdout);
+      layouts += lines.layouts;
+      is_right = is_right && lines.is_right;
     }
   }
+  std::printf("\n%s", layouts.c_str());
   if (!is_right) {
     std::puts("\nParts that libgcv has placed overlap.");
   }
@@ -272,6 +305,6 @@ int run(double limit, const std::vector<std::string>& names) {
 }  // namespace gcv::bench
 
 int main(int argc, char** argv) {
-  return gcv::bench::run(argc > 1 ? std::strtod(argv[1], nullptr) : 30,
+  return gcv::bench::run(argc > 1 ? std::strtod(argv[1], nullptr) : 10,
                          {argv + std::min(argc, 2), argv + argc});
 }

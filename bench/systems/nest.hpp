@@ -37,10 +37,11 @@ class Nester {
 // By gcv_scene_best, and by the smallest vertex of gcv_scene_free_region.
 std::unique_ptr<Nester> libgcv_best_nester(const NestingJob& job);
 std::unique_ptr<Nester> libgcv_region_nester(const NestingJob& job);
-// The inner-fit rectangle less the union of no-fit polygons, one for each pair of shapes: with the
-// exact kernel; and on the grid of Clipper2.
-std::unique_ptr<Nester> cgal_nester(const NestingJob& job);
-std::unique_ptr<Nester> clipper2_nester(const NestingJob& job);
+// The inner-fit rectangle less the union of no-fit polygons: with the exact kernel; and on the grid
+// of Clipper2. No-fit polygons are kept for each pair of shapes, or made anew each time.
+enum class NoFits { kept, anew };
+std::unique_ptr<Nester> cgal_nester(const NestingJob& job, NoFits no_fits);
+std::unique_ptr<Nester> clipper2_nester(const NestingJob& job, NoFits no_fits);
 
 // How many of the parts overlap those before them, or the outside of the strip: exactly.
 std::size_t count_overlapping(const NestingJob& job,

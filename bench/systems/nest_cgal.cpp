@@ -25,7 +25,7 @@ CgalRegion moved(const CgalRegion& region, const Point& by) {
 
 class CgalNester : public Nester {
  public:
-  explicit CgalNester(const NestingJob& job) : job_(job) {
+  CgalNester(const NestingJob& job, NoFits no_fits) : job_(job), keeps_(no_fits == NoFits::kept) {
     for (const Ring& shape : job.shapes) {
       shapes_.push_back(to_cgal(shape));
       reflected_.push_back(
@@ -82,13 +82,14 @@ class CgalNester : public Nester {
  private:
   const CgalRegion& no_fit(std::size_t fixed, std::size_t moving) {
     const auto [at, is_new] = no_fits_.try_emplace({fixed, moving});
-    if (is_new) {
+    if (is_new || !keeps_) {
       at->second = CGAL::minkowski_sum_by_reduced_convolution_2(shapes_[fixed], reflected_[moving]);
     }
     return at->second;
   }
 
   const NestingJob& job_;
+  bool keeps_;
   std::vector<CgalPolygon> shapes_;
   std::vector<CgalPolygon> reflected_;
   std::map<std::pair<std::size_t, std::size_t>, CgalRegion> no_fits_;
@@ -97,8 +98,8 @@ class CgalNester : public Nester {
 
 }  // namespace
 
-std::unique_ptr<Nester> cgal_nester(const NestingJob& job) {
-  return std::make_unique<CgalNester>(job);
+std::unique_ptr<Nester> cgal_nester(const NestingJob& job, NoFits no_fits) {
+  return std::make_unique<CgalNester>(job, no_fits);
 }
 
 }  // namespace gcv::bench

@@ -22,8 +22,9 @@ constexpr int bits_of_length = 40;
 
 class Clipper2Nester : public Nester {
  public:
-  explicit Clipper2Nester(const NestingJob& job)
-      : grid_(std::ldexp(1.0, bits_of_length - std::ilogb(job.length)), Clipper2Lib::MAX_COORD),
+  Clipper2Nester(const NestingJob& job, NoFits no_fits)
+      : keeps_(no_fits == NoFits::kept),
+        grid_(std::ldexp(1.0, bits_of_length - std::ilogb(job.length)), Clipper2Lib::MAX_COORD),
         length_(grid_.to_grid(job.length)),
         height_(grid_.to_grid(job.height)) {
     for (const Ring& shape : job.shapes) {
@@ -68,7 +69,7 @@ class Clipper2Nester : public Nester {
   // MinkowskiSum sums outlines: what they enclose is filled by a translate of each polygon.
   const Paths64& no_fit(std::size_t fixed, std::size_t moving) {
     const auto [at, is_new] = no_fits_.try_emplace({fixed, moving});
-    if (is_new) {
+    if (is_new || !keeps_) {
       const Path64& p = shapes_[fixed];
       const Path64& q = reflected_[moving];
       Paths64 paths = Clipper2Lib::MinkowskiSum(p, q, true);
@@ -79,6 +80,7 @@ class Clipper2Nester : public Nester {
     return at->second;
   }
 
+  bool keeps_;
   Grid grid_;
   std::int64_t length_;
   std::int64_t height_;
@@ -90,8 +92,8 @@ class Clipper2Nester : public Nester {
 
 }  // namespace
 
-std::unique_ptr<Nester> clipper2_nester(const NestingJob& job) {
-  return std::make_unique<Clipper2Nester>(job);
+std::unique_ptr<Nester> clipper2_nester(const NestingJob& job, NoFits no_fits) {
+  return std::make_unique<Clipper2Nester>(job, no_fits);
 }
 
 }  // namespace gcv::bench
