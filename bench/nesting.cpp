@@ -216,6 +216,9 @@ std::string cell(const char* format, Values... values) {
   return text;
 }
 
+// Three digits, or all before the point.
+std::string number(double x) { return cell(x < 999.5 ? "%.3g" : "%.0f", x); }
+
 Lines measure(const NestingJob& job, double limit) {
   std::size_t vertices = 0;
   for (const std::size_t shape : job.order) {
@@ -233,21 +236,24 @@ Lines measure(const NestingJob& job, double limit) {
     const bool is_whole = layout.size() == job.order.size();
     const double ms = median_of(
         rounds, [&](const std::vector<Layout>& round) { return 1000 * round[k].seconds.back(); });
-    times += is_whole ? cell(" %.3g |", ms) : cell(" > %.0f (%zu) |", ms, layout.size());
+    times +=
+        is_whole ? ' ' + number(ms) + " |" : " > " + number(ms) + cell(" (%zu) |", layout.size());
     if (k > 0) {
-      ratios += cell(" %.3g |", median_of(rounds, [&](const std::vector<Layout>& round) {
-                       return round[k].seconds.back() / round[0].seconds[round[k].size() - 1];
-                     }));
+      const double ratio = median_of(rounds, [&](const std::vector<Layout>& round) {
+        return round[k].seconds.back() / round[0].seconds[round[k].size() - 1];
+      });
+      ratios += ' ' + number(ratio) + " |";
     }
     if (system.is_counted) {
-      const std::size_t overlapping = count_overlapping(job, layout.positions);
+      const Overlaps found = count_overlaps(job, layout.positions);
       const auto lost =
           std::count(layout.positions.begin(), layout.positions.end(), std::optional<Point>());
       lengths += is_whole ? cell(" %.6g |", used_length(job, layout)) : " - |";
-      overlaps +=
-          is_whole ? cell(" %zu", overlapping) : cell(" %zu of %zu", overlapping, layout.size());
+      overlaps += cell(" %zu", found.all);
+      overlaps += found.deep > 0 ? cell(", %zu deep", found.deep) : "";
+      overlaps += is_whole ? "" : cell(", of %zu", layout.size());
       overlaps += lost > 0 ? cell(", %td lost |", lost) : " |";
-      lines.is_right = lines.is_right && (system.is_peer || (overlapping == 0 && lost == 0));
+      lines.is_right = lines.is_right && (system.is_peer || (found.all == 0 && lost == 0));
     }
   }
   lines.times = cell("| %s | %zu | %zu |", job.name.c_str(), job.order.size(), vertices) + times +

@@ -43,8 +43,12 @@ enum class NoFits { kept, anew };
 std::unique_ptr<Nester> cgal_nester(const NestingJob& job, NoFits no_fits);
 std::unique_ptr<Nester> clipper2_nester(const NestingJob& job, NoFits no_fits);
 
-// How many of the parts overlap those before them, or the outside of the strip: exactly.
-std::size_t count_overlapping(const NestingJob& job,
-                              const std::vector<std::optional<Point>>& positions);
+// How many of the parts overlap those before them, or the outside of the strip: exactly. Deep ones
+// would have to move by more than 10^-6 of the height of the strip.
+struct Overlaps {
+  std::size_t all = 0;
+  std::size_t deep = 0;
+};
+Overlaps count_overlaps(const NestingJob& job, const std::vector<std::optional<Point>>& positions);
 
 }  // namespace gcv::bench

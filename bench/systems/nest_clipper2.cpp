@@ -18,7 +18,7 @@ using Clipper2Lib::Point64;
 using Grid = IntegerGrid<std::int64_t>;
 
 // A power of two, so that small integers stay what they are.
-constexpr int bits_of_length = 40;
+constexpr int bits_of_length = 29;
 
 class Clipper2Nester : public Nester {
  public:

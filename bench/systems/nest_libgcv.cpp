@@ -86,6 +86,13 @@ class Strip {
     return relation != GCV_OVERLAPPING;
   }
 
+  [[nodiscard]] double depth(std::size_t shape, const Point& position) const {
+    gcv_escape escape{};
+    check(gcv_scene_penetration(scene_.get(), shapes_[shape].get(), &position.x, 1, nullptr,
+                                nullptr, &escape));
+    return escape.depth;
+  }
+
   void add(std::size_t shape, const Point& position) {
     const gcv_polygon* const polygon = shapes_[shape].get();
     std::uint64_t id = 0;
@@ -130,17 +137,19 @@ std::unique_ptr<Nester> libgcv_region_nester(const NestingJob& job) {
                                                                           &Strip::smallest_vertex);
 }
 
-std::size_t count_overlapping(const NestingJob& job,
-                              const std::vector<std::optional<Point>>& positions) {
+Overlaps count_overlaps(const NestingJob& job, const std::vector<std::optional<Point>>& positions) {
   Strip strip(job);
-  std::size_t count = 0;
+  Overlaps overlaps;
   for (std::size_t k = 0; k < positions.size(); ++k) {
     if (positions[k]) {
-      count += strip.is_free(job.order[k], *positions[k]) ? 0 : 1;
+      if (!strip.is_free(job.order[k], *positions[k])) {
+        ++overlaps.all;
+        overlaps.deep += strip.depth(job.order[k], *positions[k]) > 1e-6 * job.height ? 1 : 0;
+      }
       strip.add(job.order[k], *positions[k]);
     }
   }
-  return count;
+  return overlaps;
 }
 
 }  // namespace gcv::bench
