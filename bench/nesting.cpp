@@ -250,8 +250,8 @@ Lines measure(const NestingJob& job, double limit) {
           std::count(layout.positions.begin(), layout.positions.end(), std::optional<Point>());
       lengths += is_whole ? cell(" %.6g |", used_length(job, layout)) : " - |";
       overlaps += cell(" %zu", found.all);
+      overlaps += is_whole ? "" : cell(" of %zu", layout.size());
       overlaps += found.deep > 0 ? cell(", %zu deep", found.deep) : "";
-      overlaps += is_whole ? "" : cell(", of %zu", layout.size());
       overlaps += lost > 0 ? cell(", %td lost |", lost) : " |";
       lines.is_right = lines.is_right && (system.is_peer || (found.all == 0 && lost == 0));
     }
