@@ -57,6 +57,7 @@ NestingInstance nesting_instance(const Json& json) {
   instance.board = ring_of(json.get_child("boards").front().second);
   for (const auto& [name, piece] : json.get_child("pieces")) {
     instance.pieces.push_back(ring_of(piece));
+    instance.quantities.push_back(piece.get<std::size_t>("quantity"));
   }
   for (const auto& [name, stored] : json.get_child("nfps")) {
     instance.no_fits.push_back(stored_ring(stored));

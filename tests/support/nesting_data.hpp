@@ -24,6 +24,7 @@ struct NestingInstance {
   std::string name;
   PointVector board;
   std::vector<PointVector> pieces;
+  std::vector<std::size_t> quantities;  // of the pieces
   std::vector<StoredRing> no_fits;
   std::vector<StoredRing> inner_fits;  // in the board
 };
