@@ -98,12 +98,12 @@ class BestFree {
   }
 
   void compare(const PlacesOnLine& places, const ExactPoint& point, const RelativeLine& line,
-               const Interval& parameter) {
+               const Interval& parameter, const std::optional<Place>& place) {
     const Interval distance = distance_at(line, parameter);
     if (found_ && !is_before(point, distance)) {
       return;
     }
-    found_ = {point, distance, places.line().edge, parameter};
+    found_ = {point, distance, places.line().edge, parameter, place};
     reach_ = std::min(reach_, distance.hi);
   }
 
@@ -154,11 +154,11 @@ class NearestFree : public BestFree<NearestFree> {
     }
     const SumEdge across = perpendicular(s, {from_, {0, 0}});
     if (from_foot_to(s, from, across) >= 0) {
-      compare(places, exact_point(s, from), line, first);
+      compare(places, exact_point(s, from), line, first, from);
     } else if (from_foot_to(s, to, across) <= 0) {
-      compare(places, exact_point(s, to), line, last);
+      compare(places, exact_point(s, to), line, last, to);
     } else {
-      compare(places, ExactPoint::of_crossing(s, across), line, {nearest, nearest});
+      compare(places, ExactPoint::of_crossing(s, across), line, {nearest, nearest}, std::nullopt);
     }
   }
   // -1 if p is nearer than q.
@@ -196,10 +196,10 @@ class FurthestFree : public BestFree<FurthestFree> {
     const RelativeLine line = relative_line(places);
     const int ahead = sign_along(direction_, s.from, s.to, tally_);
     if (ahead <= 0) {
-      compare(places, exact_point(s, from), line, parameters_of(line, from));
+      compare(places, exact_point(s, from), line, parameters_of(line, from), from);
     }
     if (ahead >= 0) {
-      compare(places, exact_point(s, to), line, parameters_of(line, to));
+      compare(places, exact_point(s, to), line, parameters_of(line, to), to);
     }
   }
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {

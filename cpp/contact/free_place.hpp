@@ -22,9 +22,10 @@ namespace gcv {
 
 struct FreePlace {
   ExactPoint point;
-  Interval distance;   // from the goal
-  PairEdge edge;       // it lies on the line of this superset edge,
-  Interval parameter;  // here
+  Interval distance;           // from the goal
+  PairEdge edge;               // it lies on the line of this superset edge,
+  Interval parameter;          // here
+  std::optional<Place> place;  // likewise, unless it is a foot
 };
 
 class FreePlaceSearch {
@@ -44,6 +45,10 @@ class FreePlaceSearch {
   // be bounded in it. Throws Error: cancelled, internal.
   std::optional<FreePlace> furthest(const Point& direction, Task& task, std::uint64_t step);
 
+  // Vectors into the middles of the directions in which all is free next to a furthest place.
+  std::vector<Point> ways_off(const FreePlace& place) {
+    return cover_.ways_off(place.edge, *place.place);
+  }
   // Calls visit(i, j) for the pairs of edges whose sums may hold the place.
   template <class Visit>
   void for_each_pair_near(const FreePlace& place, Visit visit) {

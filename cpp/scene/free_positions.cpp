@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "directions.hpp"
 #include "joined_solids.hpp"
 #include "placed_box.hpp"
 #include "units.hpp"
+#include "vector.hpp"
 
 namespace gcv {
 
@@ -85,25 +87,24 @@ UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) cons
                          [&](const Point& p) { return questions_.relation(p, tally); });
 }
 
-// Looks in sixteen directions, at distances that double, up to 2^12 units in the last place.
-UsablePosition FreePositions::usable_near(const ExactPoint& place, Tally& tally) const {
-  const UsablePosition nearest = usable(place, tally);
+// Goes into the middles of what is free around the place, by distances that double, up to 2^20
+// units in the last place.
+UsablePosition FreePositions::usable_along(const Furthest& furthest, Tally& tally) const {
+  const UsablePosition nearest = usable(furthest.place, tally);
   const auto& [position, relation] = nearest;
   if (relation != Relation::overlapping) {
     return nearest;
   }
   const double unit = std::max(unit_in_last_place(position.x), unit_in_last_place(position.y));
-  constexpr Point directions[] = {{2, 0}, {2, 1}, {2, 2}, {1, 2}};
-  for (double distance = 2; distance <= 0x1p12; distance *= 2) {
-    const double step = distance / 2 * unit;
-    for (const Point& d : directions) {
-      for (const Point& turned : {Point{d.x, d.y}, {-d.y, d.x}, {-d.x, -d.y}, {d.y, -d.x}}) {
-        const Point other{position.x + turned.x * step, position.y + turned.y * step};
-        if (std::isfinite(other.x) && std::isfinite(other.y)) {
-          const Relation there = questions_.relation(other, tally);
-          if (there != Relation::overlapping) {
-            return {other, there};
-          }
+  for (double distance = 2; distance <= 0x1p20; distance *= 2) {
+    for (const Point& way : furthest.ways) {
+      const Point along = unit_vector(way);
+      const Point other{position.x + along.x * distance * unit,
+                        position.y + along.y * distance * unit};
+      if (std::isfinite(other.x) && std::isfinite(other.y)) {
+        const Relation there = questions_.relation(other, tally);
+        if (there != Relation::overlapping) {
+          return {other, there};
         }
       }
     }
@@ -144,15 +145,16 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
   }
 }
 
-std::optional<ExactPoint> FreePositions::furthest_in(const Box& window, const Point& direction,
-                                                     Task& task, Tally& tally) const {
+std::optional<FreePositions::Furthest> FreePositions::furthest_in(const Box& window,
+                                                                  const Point& direction,
+                                                                  Task& task, Tally& tally) const {
   const JoinedSolids solids = join_solids(scene_, query_, reflected_, window);
   Operands operands{*solids.boundary, reflected_,
                     merge_directions(*solids.boundary, reflected_, tally)};
   operands.focus = solids.border->focus(operands);
   FreePlaceSearch search(operands, wanted_, tally);
   const std::optional<FreePlace> place = search.furthest(direction, task, 1);
-  return place ? std::optional(place->point) : std::nullopt;
+  return place ? std::optional(Furthest{place->point, search.ways_off(*place)}) : std::nullopt;
 }
 
 // Goes through slabs of the positions, across the axis that the direction is closest to, from the
@@ -162,22 +164,23 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
                                                       Tally& tally) const {
   const Slabs slabs(positions_in(scene_.container()->boundary.bounds, moving_.bounds),
                     moving_.bounds, direction);
-  std::optional<ExactPoint> best;
+  std::optional<Furthest> best;
   for (std::size_t k = 0; k < slabs.count(); ++k) {
     const Box slab = slabs.box(k);
-    if (best && is_beyond(*best, direction, slab, tally)) {
+    if (best && is_beyond(best->place, direction, slab, tally)) {
       break;
     }
-    const std::optional<ExactPoint> place = furthest_in(slab, direction, task, tally);
-    if (!place) {
+    std::optional<Furthest> found = furthest_in(slab, direction, task, tally);
+    if (!found) {
       continue;
     }
-    const int order = best ? compare_along(direction, *place, *best, tally) : 1;
-    if (order > 0 || (order == 0 && compare_lexicographically(*place, *best, tally) < 0)) {
-      best = place;
+    const int order = best ? compare_along(direction, found->place, best->place, tally) : 1;
+    if (order > 0 ||
+        (order == 0 && compare_lexicographically(found->place, best->place, tally) < 0)) {
+      best = std::move(found);
     }
   }
-  return best ? std::optional(usable_near(*best, tally)) : std::nullopt;
+  return best ? std::optional(usable_along(*best, tally)) : std::nullopt;
 }
 
 }  // namespace gcv

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "penetration.hpp"
 #include "polygon.hpp"
@@ -41,11 +42,16 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
-  [[nodiscard]] std::optional<ExactPoint> furthest_in(const Box& window, const Point& direction,
-                                                      Task& task, Tally& tally) const;
+  // A place, and vectors into what is free around it.
+  struct Furthest {
+    ExactPoint place;
+    std::vector<Point> ways;
+  };
+  [[nodiscard]] std::optional<Furthest> furthest_in(const Box& window, const Point& direction,
+                                                    Task& task, Tally& tally) const;
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
-  // The same, or the nearest free position found further away.
-  [[nodiscard]] UsablePosition usable_near(const ExactPoint& place, Tally& tally) const;
+  // The same, or the nearest free position found on one of the ways.
+  [[nodiscard]] UsablePosition usable_along(const Furthest& furthest, Tally& tally) const;
 
   const Scene& scene_;
   const Query& query_;

@@ -127,6 +127,23 @@ class BlockedDirections {
     return any(
         [&](const DirectionArc& arc) { return directions_.angle(arc.from, rank) < arc.length; });
   }
+  // The arcs between those that are blocked.
+  [[nodiscard]] std::vector<DirectionArc> free_arcs() const {
+    const Rank turn = 2 * directions_.half_turn;
+    std::vector<DirectionArc> free;
+    for (const DirectionArc& arc : arcs_) {
+      const Rank from = (arc.from + arc.length) % turn;
+      if (!hold_left_of(from)) {
+        Rank length = turn;
+        for (const DirectionArc& next : arcs_) {
+          const Rank angle = directions_.angle(from, next.from);
+          length = std::min(length, angle == 0 ? turn : angle);
+        }
+        free.push_back({from, length});
+      }
+    }
+    return free;
+  }
   // Is every direction blocked but single ones?
   [[nodiscard]] bool hold_almost_all() const {
     return !arcs_.empty() && std::all_of(arcs_.begin(), arcs_.end(), [&](const DirectionArc& arc) {

@@ -193,6 +193,9 @@ class EdgeCover {
     }
   }
 
+  // Vectors into the middles of the directions in which all is free next to a place of s.
+  std::vector<Point> ways_off(const PairEdge& s, const Place& place);
+
   // What follows the place on the line is free. The next place where this may end; if the right
   // side counts, where that may be no longer free.
   Place end_of_free(const PlacesOnLine& places, const Place& place, bool right_counts) {

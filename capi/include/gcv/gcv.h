@@ -1621,8 +1621,9 @@ gcv_scene_free_region(const gcv_scene *scene, const gcv_polygon *moving, const d
  *
  * The position is in doubles, and the polygon overlaps nothing there. It is within 2 units in the
  * last place of the exact one where such a position is free. Else it is the nearest one that was
- * found within 2^12 such units. Where none was, as for most exact fits between slanted edges, it is
- * the doubles nearest to the exact position, and gcv_scene_relation tells GCV_OVERLAPPING there.
+ * found on the way into what is free around, within 2^20 such units. Where there is no such way, as
+ * for exact fits between slanted edges, it is the doubles nearest to the exact position, and
+ * gcv_scene_relation tells GCV_OVERLAPPING there.
  *
  * @param moving     the polygon.
  * @param direction  finite, not 0 0.
