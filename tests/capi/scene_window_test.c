@@ -115,6 +115,11 @@ static void segments_in_windows(void) {
   CHECK(free_is(scene, square, WINDOW(2, 0, 4, 2), NULL, "segment 2/1 1/1, 4/1 1/1"));
   CHECK(
       free_is(scene, square, WINDOW(0, 0, 2, 2), NULL, "outer 0/1 0/1, 2/1 0/1, 2/1 2/1, 0/1 2/1"));
+  /* Where it ends in a corner of the window, which is one of a ring, there is no point besides. */
+  CHECK(
+      free_is(scene, square, WINDOW(0, 1, 2, 3), NULL, "outer 0/1 1/1, 2/1 1/1, 2/1 2/1, 0/1 2/1"));
+  CHECK(free_is(scene, square, WINDOW(0, -1, 2, 1), NULL,
+                "outer 0/1 0/1, 2/1 0/1, 2/1 1/1, 0/1 1/1"));
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(rooms);
   gcv_polygon_destroy(square);
@@ -155,6 +160,24 @@ static void points_in_windows(void) {
   gcv_polygon_destroy(slanted);
   gcv_polygon_destroy(diamond);
   gcv_polygon_destroy(holed);
+  gcv_polygon_destroy(square);
+}
+
+/* Two corridors that cross, in a window with one on its border and the crossing in its corner: of
+ * the other one there is that point, which is none of its own. */
+static void crossing_in_a_corner(void) {
+  gcv_polygon *cross =
+      POLYGON(0, 2, 2, 2, 2, 0, 4, 0, 4, 2, 6, 2, 6, 4, 4, 4, 4, 6, 2, 6, 2, 4, 0, 4);
+  gcv_polygon *square = SQUARE(2);
+  gcv_scene *scene = scene_in(cross);
+  CHECK(free_is(scene, square, WINDOW(-1, -1, 9, 9), NULL,
+                "segment 0/1 2/1, 4/1 2/1; segment 2/1 0/1, 2/1 4/1"));
+  CHECK(free_is(scene, square, WINDOW(2, -1, 3, 2), NULL,
+                "segment 2/1 0/1, 2/1 2/1; segment 2/1 2/1, 3/1 2/1"));
+  CHECK(free_is(scene, square, WINDOW(1, 2, 3, 3), NULL,
+                "segment 1/1 2/1, 3/1 2/1; segment 2/1 2/1, 2/1 3/1"));
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(cross);
   gcv_polygon_destroy(square);
 }
 
@@ -320,6 +343,7 @@ int main(void) {
   windows_in_a_container();
   segments_in_windows();
   points_in_windows();
+  crossing_in_a_corner();
   gaps_at_the_border();
   coordinates_that_are_no_doubles();
   roundings();

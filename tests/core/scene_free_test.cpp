@@ -2,10 +2,12 @@
 //
 // Where polygons are free in scenes, on random members on small grids: the free region by the
 // relation at many places, the best positions and the ways out of overlaps by the free region.
-//   scene_free_test [--cases=N] [--seed=N]: scenes of each unit.
+//   scene_free_test [--cases=N] [--seed=N]: scenes of each unit, and some of each family.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <string>
 
 #include "case_options.hpp"
@@ -17,7 +19,7 @@
 namespace gcv::test {
 namespace {
 
-CaseOptions chosen{600};
+CaseOptions chosen{400};
 
 std::string text_of_window(const Window& window) {
   return !window ? ", no window"
@@ -90,7 +92,7 @@ TEST_P(FreePositions, AreTheNearestOnes) {
     const MovingPolygon moving = c.moving();
     const FreeQuestion question{c.checked, moving, c.asked()};
     const Window window = has_container(c) ? Window{} : window_around(GetParam());
-    const Points positions(c.description.positions.begin(), c.description.positions.begin() + 8);
+    const Points positions(c.description.positions.begin(), c.description.positions.begin() + 6);
     return check_ways_out(question, exact_parts(question.region(window).get()), positions, counts);
   });
   std::printf("%d scenes, seed %llu: %zu overlaps, %zu ties, %zu without a way out, %zu overlap\n",
@@ -99,6 +101,69 @@ TEST_P(FreePositions, AreTheNearestOnes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Units, FreePositions, ::testing::Values(1, 0.1));
+
+// The rectangle between two positions, if it is one.
+Window window_between(const Point& p, const Point& q) {
+  const auto [x0, x1] = std::minmax(p[0], q[0]);
+  const auto [y0, y1] = std::minmax(p[1], q[1]);
+  return x0 < x1 && y0 < y1 ? Window{{x0, y0, x1, y1}} : std::nullopt;
+}
+
+Messages check_all(const SceneOfCase& c, bool is_in_window, FreeCounts& counts) {
+  const MovingPolygon moving = c.moving();
+  const FreeQuestion question{c.checked, moving, c.asked()};
+  const Points& positions = c.description.positions;
+  const Window window = window_between(positions[0], positions[1]);
+  Messages messages;
+  const auto add = [&](const Messages& others) {
+    messages.insert(messages.end(), others.begin(), others.end());
+  };
+  if (has_container(c)) {
+    const ExactParts whole = exact_parts(question.region({}).get());
+    add(check_best(question, whole, {{-1, 0}, {0.25, 1}}, counts));
+    add(check_ways_out(question, whole, {positions[0], positions[1]}, counts));
+  }
+  if (window && (is_in_window || !has_container(c))) {
+    add(check_places(question, question.region(window).get(), window, positions, counts));
+  } else if (has_container(c)) {
+    add(check_places(question, question.region({}).get(), {}, positions, counts));
+  }
+  return messages;
+}
+
+// Members of any size and anywhere.
+class FreePositionsOfFamilies : public ::testing::TestWithParam<RegionFamily> {};
+
+TEST_P(FreePositionsOfFamilies, AgreeWithTheRelation) {
+  FreeCounts counts;
+  Random random(chosen.seed);
+  for (int k = 0; k < chosen.cases / 50;) {
+    std::optional<SceneOfCase> c;
+    try {
+      c.emplace(member_scene(GetParam(), random, 6, 12), random);
+    } catch (const invariants::Failure&) {  // a polygon that is not valid
+      continue;
+    }
+    try {
+      for (const std::string& message : check_all(*c, k % 2 == 0, counts)) {
+        ADD_FAILURE() << "case " << k << ": " << message << text_of(c->description, c->ids)
+                      << text_of(c->query);
+      }
+    } catch (const invariants::Failure& failure) {
+      EXPECT_EQ(failure.status, GCV_ERR_RANGE) << "case " << k << ": " << failure.what();
+      ++counts.contacts.out_of_range;
+    }
+    ++k;
+  }
+  std::printf("seed %llu: %zu polygons, %zu fits, %zu overlaps, %zu out of range\n",
+              static_cast<unsigned long long>(chosen.seed), counts.polygons,
+              counts.segments + counts.points, counts.contacts.overlapping,
+              counts.contacts.out_of_range);
+}
+
+INSTANTIATE_TEST_SUITE_P(Families, FreePositionsOfFamilies,
+                         ::testing::ValuesIn(contact_families().begin(), contact_families().end()),
+                         [](const auto& family) { return name_of_family(family); });
 
 }  // namespace
 }  // namespace gcv::test

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,23 @@ std::vector<RegionPart> sum_region(const Rings& a, const Rings& b, const Point& 
 // Where the reference point, fixed to `moving`, may go with `moving` inside the container.
 std::vector<RegionPart> inner_fit_region(const Rings& container, const Rings& moving,
                                          const Point& reference);
+
+// The polygons of members, and their places.
+struct PlacedPolygon {
+  Rings rings;
+  Point place;
+};
+using PlacedRings = std::vector<PlacedPolygon>;
+
+struct Window {
+  Point low;
+  Point high;
+};
+
+// Where `moving` is free among members, in the container, if there is one, and in the window, if
+// there is one. There must be one of these.
+std::vector<RegionPart> free_region(const PlacedRings& members, const Rings* container,
+                                    const Rings& moving, const std::optional<Window>& window);
 
 // One part a line.
 std::string text(const std::vector<RegionPart>& region);
