@@ -263,6 +263,16 @@ BoxTree Boundary::solid_boxes() const {
   return BoxTree(boxes);
 }
 
+namespace {
+
+// p + position - (origin + at); infinite where that overflows.
+double seen_from(double p, double position, double origin, double at) {
+  const double sum = rounded_sum(p, position, -origin, -at);
+  return std::isnan(sum) ? (p - origin) + (position - at) : sum;
+}
+
+}  // namespace
+
 Boundary joined(std::span<const PlacedBoundary> parts) {
   Boundary all;
   all.kind = parts.front().boundary.kind;
@@ -290,8 +300,8 @@ Boundary joined(std::span<const PlacedBoundary> parts) {
     all.corners.insert(all.corners.end(), boundary.corners.begin(), boundary.corners.end());
     all.positions.insert(all.positions.end(), boundary.size(), position);
     for (const Point& p : boundary.vertices) {
-      all.relatives.push_back({rounded_sum(p.x, position.x, -origin.x, -at.x),
-                               rounded_sum(p.y, position.y, -origin.y, -at.y)});
+      all.relatives.push_back(
+          {seen_from(p.x, position.x, origin.x, at.x), seen_from(p.y, position.y, origin.y, at.y)});
     }
   }
   if (all.solids.size() == 1) {

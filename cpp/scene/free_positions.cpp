@@ -70,6 +70,12 @@ class Slabs {
   std::size_t count_ = 0;
 };
 
+// Are there doubles for solids around windows in the box?
+bool has_room_around(const Box& box) {
+  const double size = std::max({-box.x0, -box.y0, box.x1, box.y1});
+  return std::isfinite(16 * size);
+}
+
 // Is nothing in the box as far in a direction as the point?
 bool is_beyond(const ExactPoint& point, const Point& direction, const Box& box, Tally& tally) {
   const Point corner{direction.x < 0 ? box.x0 : box.x1, direction.y < 0 ? box.y0 : box.y1};
@@ -113,7 +119,7 @@ UsablePosition FreePositions::usable_along(const Furthest& furthest, Tally& tall
 }
 
 // Within a distance, only solids that are no further from the polygon matter. The first distance is
-// about half the size of the polygon. It is doubled until it holds a free position.
+// about half the size of the polygon. It grows, more and more, until it holds a free position.
 SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tally) const {
   const ExactPoint start = ExactPoint::of_sum({position, {0, 0}});
   if (questions_.relation(position, tally) != Relation::overlapping) {
@@ -122,7 +128,9 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
   const Box box = moved_outwards(moving_.bounds, position);
   const std::optional<Solid> container =
       query_.admits_container() ? scene_.container() : std::nullopt;
-  for (double distance = ((box.x1 - box.x0) + (box.y1 - box.y0)) / 4;; distance *= 2) {
+  double factor = 2;
+  for (double distance = ((box.x1 - box.x0) + (box.y1 - box.y0)) / 4;; distance *= factor) {
+    factor *= factor;
     const Box near = widened_outwards(box, distance);
     // All that is free lies in the container. Without one, all is free far away.
     const bool is_all =
@@ -145,13 +153,15 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
   }
 }
 
-std::optional<FreePositions::Furthest> FreePositions::furthest_in(const Box& window,
+std::optional<FreePositions::Furthest> FreePositions::furthest_in(const std::optional<Box>& window,
                                                                   const Point& direction,
                                                                   Task& task, Tally& tally) const {
   const JoinedSolids solids = join_solids(scene_, query_, reflected_, window);
   Operands operands{*solids.boundary, reflected_,
                     merge_directions(*solids.boundary, reflected_, tally)};
-  operands.focus = solids.border->focus(operands);
+  if (solids.border) {
+    operands.focus = solids.border->focus(operands);
+  }
   FreePlaceSearch search(operands, wanted_, tally);
   const std::optional<FreePlace> place = search.furthest(direction, task, 1);
   return place ? std::optional(Furthest{place->point, search.ways_off(*place)}) : std::nullopt;
@@ -162,9 +172,13 @@ std::optional<FreePositions::Furthest> FreePositions::furthest_in(const Box& win
 // them are fine.
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
                                                       Tally& tally) const {
-  const Slabs slabs(positions_in(scene_.container()->boundary.bounds, moving_.bounds),
-                    moving_.bounds, direction);
+  const Box& container = scene_.container()->boundary.bounds;
   std::optional<Furthest> best;
+  if (!has_room_around(container)) {
+    best = furthest_in(std::nullopt, direction, task, tally);
+    return best ? std::optional(usable_along(*best, tally)) : std::nullopt;
+  }
+  const Slabs slabs(positions_in(container, moving_.bounds), moving_.bounds, direction);
   for (std::size_t k = 0; k < slabs.count(); ++k) {
     const Box slab = slabs.box(k);
     if (best && is_beyond(best->place, direction, slab, tally)) {

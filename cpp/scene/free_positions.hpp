@@ -47,8 +47,9 @@ class FreePositions {
     ExactPoint place;
     std::vector<Point> ways;
   };
-  [[nodiscard]] std::optional<Furthest> furthest_in(const Box& window, const Point& direction,
-                                                    Task& task, Tally& tally) const;
+  [[nodiscard]] std::optional<Furthest> furthest_in(const std::optional<Box>& window,
+                                                    const Point& direction, Task& task,
+                                                    Tally& tally) const;
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
   // The same, or the nearest free position found on one of the ways.
   [[nodiscard]] UsablePosition usable_along(const Furthest& furthest, Tally& tally) const;

@@ -24,13 +24,15 @@ double size_of(const Box& box) {
 
 // How far solids that shut off the rest reach beyond a box.
 double margin_of(const Box& box) {
-  return ((box.x1 - box.x0) + (box.y1 - box.y0)) / 16 + 0x1p-40 * size_of(box);
+  return ((box.x1 - box.x0) + (box.y1 - box.y0)) / 16 + 0x1p-40 * size_of(box) + 0x1p-1000;
 }
 
 Boundary ring_of(PointVector vertices) {
   for (const Point& p : vertices) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
-      throw Error(Status::range, "the window and the polygon are too large or too far apart");
+      throw Error(
+          Status::range,
+          "window: it is too far from the container or the polygon, or too large, for doubles");
     }
   }
   return make_ring(std::move(vertices), "window");

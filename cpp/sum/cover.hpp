@@ -60,7 +60,6 @@ class EdgeCover {
   EdgeCover(const EdgeCover&) = delete;
   EdgeCover& operator=(const EdgeCover&) = delete;
 
-  // What is known of a place.
   struct Surroundings {
     bool is_covered;  // it lies in the open sum
     BlockedDirections blocked;

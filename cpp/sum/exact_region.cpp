@@ -121,8 +121,11 @@ RingVertex left_by(const Operands& operands, const RingVertex& v, const EdgeName
   return RingVertex::crossing(are_parallel ? v.leaving() : v.arriving(), edge);
 }
 
-void add_fits(const Operands& operands, Fits& fits, ExactRegion& region) {
+void add_fits(const Operands& operands, Fits& fits, ExactRegion& region, bool in_window = false) {
   fits.finish(region.vertices);
+  if (in_window) {
+    fits.drop_points_on(region.vertices, region.parts);
+  }
   for (const auto& [edge, ends] : fits.segments()) {
     add_part(region, PartKind::segment, RegionPart::no_polygon,
              {left_by(operands, ends[0].vertex, edge), ends[1].vertex});
@@ -227,7 +230,7 @@ void find_free_parts(const Operands& operands, const WindowBorder* border,
     ++number;
   }
   if (wanted.fits) {
-    add_fits(operands, finder.fits(), region);
+    add_fits(operands, finder.fits(), region, border != nullptr);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "fits.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include "predicates.hpp"
@@ -76,6 +77,37 @@ void Fits::finish(const std::vector<RingVertex>& corners) {
     join();
     cut(corners);
   }
+}
+
+bool Fits::is_on(const EdgeName& edge, const ExactOrder::Placed& from, const ExactOrder::Placed& to,
+                 const ExactOrder::Placed& point) const {
+  const int order = order_.compare(from, point);
+  return order == 0 ||
+         (order * order_.compare(point, to) >= 0 &&
+          side_of_vertex(operands_.a, operands_.b, coordinates(operands_.a, operands_.b, edge),
+                         point.vertex, tally_) == 0);
+}
+
+void Fits::drop_points_on(const std::vector<RingVertex>& vertices,
+                          std::span<const RegionPart> rings) {
+  std::erase_if(points_, [&](const ExactOrder::Placed& point) {
+    const bool is_on_segment =
+        std::any_of(segments_.begin(), segments_.end(), [&](const ExactSegment& segment) {
+          return is_on(segment.edge, segment.ends[0], segment.ends[1], point);
+        });
+    return is_on_segment || std::any_of(rings.begin(), rings.end(), [&](const RegionPart& ring) {
+             ExactOrder::Placed from = order_.placed(vertices[ring.end() - 1]);
+             for (std::size_t k = ring.first; k < ring.end(); ++k) {
+               const EdgeName edge = from.vertex.leaving();
+               const ExactOrder::Placed to = order_.placed(vertices[k]);
+               if (is_on(edge, from, to, point)) {
+                 return true;
+               }
+               from = to;
+             }
+             return false;
+           });
+  });
 }
 
 void Fits::join() {

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "contributing_vertices.hpp"
 #include "exact_order.hpp"
 #include "exact_ring.hpp"
+#include "region.hpp"
 #include "tally.hpp"
 
 namespace gcv {
@@ -35,6 +37,11 @@ class Fits {
   // between the ends of a segment, in lexicographic order.
   void finish(const std::vector<RingVertex>& corners);
 
+  // Leaves out points that lie on one of these rings, which follow one another, or on a segment.
+  // Needed for a window alone: one point of a fit can be in it, and be there otherwise. O(rings and
+  // segments) for each point.
+  void drop_points_on(const std::vector<RingVertex>& vertices, std::span<const RegionPart> rings);
+
   [[nodiscard]] const std::vector<ExactSegment>& segments() const { return segments_; }
   [[nodiscard]] const std::vector<ExactOrder::Placed>& points() const { return points_; }
 
@@ -42,6 +49,9 @@ class Fits {
   class LineOrder;
 
   static bool is_before(const ExactOrder& order, const ExactSegment& p, const ExactSegment& q);
+  // Does the point lie on the closed part of the edge's line?
+  [[nodiscard]] bool is_on(const EdgeName& edge, const ExactOrder::Placed& from,
+                           const ExactOrder::Placed& to, const ExactOrder::Placed& point) const;
   void join();
   void cut(const std::vector<RingVertex>& corners);
 

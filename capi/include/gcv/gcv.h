@@ -1329,7 +1329,7 @@ typedef struct gcv_escape {
   uint32_t reserved;
   /** The contact at t + v, with gap 0, an edge and a vertex; of several that gcv_contacts gives
    *  there, the smallest kind, then a, then b. All 0 where they do not overlap; and where there is
-   *  none, for they touch only where rings of both touch. */
+   *  none, for they touch only where rings of both touch: there a scene gives id_a alone. */
   gcv_contact contact;
 } gcv_escape;
 
