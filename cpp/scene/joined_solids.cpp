@@ -142,7 +142,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   const std::optional<Solid> container = container_of(scene, query);
   if (!container && !window) {
     throw Error(Status::invalid_argument,
-                "neither a window nor a container bounds the free positions");
+                "window: there is none, and no container: the free set is unbounded");
   }
   const Box moving = turned_round(reflected.bounds);
   // What a polygon in the window can reach.

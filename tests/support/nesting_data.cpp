@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <boost/property_tree/json_parser.hpp>
 #include <boost/property_tree/ptree.hpp>
+#include <string>
 
 namespace gcv::test {
 
@@ -57,7 +58,7 @@ NestingInstance nesting_instance(const Json& json) {
   instance.board = ring_of(json.get_child("boards").front().second);
   for (const auto& [name, piece] : json.get_child("pieces")) {
     instance.pieces.push_back(ring_of(piece));
-    instance.quantities.push_back(piece.get<std::size_t>("quantity"));
+    instance.quantities.push_back(std::stoul(piece.get<std::string>("quantity")));
   }
   for (const auto& [name, stored] : json.get_child("nfps")) {
     instance.no_fits.push_back(stored_ring(stored));

@@ -235,7 +235,7 @@ def test_penetration_of_many() -> None:
     reports: list[tuple[int, int]] = []
     told = scene.penetration(PEG, places, progress=lambda *steps: reports.append(steps))
     assert told.tobytes() == escapes.tobytes()
-    assert reports[-1] == (4, 4)
+    assert reports[-1][0] == reports[-1][1] > 0
 
 
 def test_one_member_is_one_of_two_polygons() -> None:
@@ -291,8 +291,8 @@ def test_nearest_of_the_region(seed: int) -> None:
         ({"leave_out": "fit"}, "leave_out is 'fit', none of "),
         ({"there": None}, "(direction|positions): None is not a pair of numbers"),
         ({"there": (1, "2")}, r".*(\(1, '2'\)|: 1) is not a pair of numbers"),
-        ({"there": (0, math.nan)}, "(direction|positions): .*nan.*not finite"),
-        ({"there": (math.inf, 0)}, "(direction|positions): .*inf.*not finite"),
+        ({"there": (0, math.nan)}, "(direction|positions): .*nan.*not (a )?finite"),
+        ({"there": (math.inf, 0)}, "(direction|positions): .*inf.*not (a )?finite"),
     ],
 )
 def test_refused(arguments: Any, message: str) -> None:

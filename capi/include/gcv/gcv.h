@@ -1694,7 +1694,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_distance(
  * @param positions  x0 y0 x1 y1 ..., finite.
  * @param count      the number of positions.
  * @param query      which members; or NULL for all.
- * @param options    as gcv_scene_best; or NULL for the defaults.
+ * @param options    as gcv_scene_best; or NULL for the defaults. Progress counts positions and the
+ *                   steps of their searches.
  * @param out        room for `count` elements.
  * @return as gcv_scene_distance; GCV_ERR_INVALID_ARGUMENT for options, too.
  * Exactness: as gcv_penetration. Cost: that of the superset edges as near as the way out.

@@ -263,7 +263,7 @@ fn which_members() {
     let all_of_it = "MULTIPOLYGON (((-1 -1, 1 -1, 1 1, -1 1, -1 -1)))";
     for query in [all().layers(0), all().ignore(&[1, 2])] {
         assert_eq!(wkt(query, Some(window)), with(all_of_it, 0));
-        let message = "window is NULL, and there is no container";
+        let message = "window: there is none, and no container";
         assert_fails(wkt(query, None), GCV_ERR_INVALID_ARGUMENT, message);
     }
 }
@@ -298,7 +298,7 @@ fn windows_that_are_refused() {
         assert_fails(ask(window), status, message);
     }
     let failed = Scene::new().free_region(&part, None, &all(), &Options::new());
-    let message = "window is NULL, and there is no container: the free set is unbounded";
+    let message = "window: there is none, and no container: the free set is unbounded";
     assert_fails(failed, refused, message);
 }
 

@@ -155,8 +155,9 @@ fn progress_counts_positions() {
     let count = COUNT as u64;
     assert_eq!(distances.last(), Some(&(count, count)));
     let from = &from[..100];
+    // Steps of the searches are among them.
     let ways = reports(|options| scene.penetration_many(&moving, from, &query, options));
-    assert_eq!(ways.last(), Some(&(100, 100)));
+    assert!(ways.last().is_some_and(|last| last.0 == last.1 && last.0 >= 100));
 }
 
 #[test]
