@@ -102,11 +102,12 @@ UsablePosition FreePositions::usable_along(const Furthest& furthest, Tally& tall
     return nearest;
   }
   const double unit = std::max(unit_in_last_place(position.x), unit_in_last_place(position.y));
-  for (double distance = 2; distance <= 0x1p20; distance *= 2) {
+  constexpr int furthest_step = 20;
+  for (int step = 1; step <= furthest_step; ++step) {
+    const double distance = std::ldexp(unit, step);
     for (const Point& way : furthest.ways) {
       const Point along = unit_vector(way);
-      const Point other{position.x + along.x * distance * unit,
-                        position.y + along.y * distance * unit};
+      const Point other{position.x + along.x * distance, position.y + along.y * distance};
       if (std::isfinite(other.x) && std::isfinite(other.y)) {
         const Relation there = questions_.relation(other, tally);
         if (there != Relation::overlapping) {
@@ -128,19 +129,22 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
   const Box box = moved_outwards(moving_.bounds, position);
   const std::optional<Solid> container =
       query_.admits_container() ? scene_.container() : std::nullopt;
+  double distance =
+      ((box.x1 - box.x0) + (box.y1 - box.y0)) / 4 + std::numeric_limits<double>::min();
   double factor = 2;
-  for (double distance = ((box.x1 - box.x0) + (box.y1 - box.y0)) / 4;; distance *= factor) {
-    factor *= factor;
+  while (true) {
     const Box near = widened_outwards(box, distance);
     // All that is free lies in the container. Without one, all is free far away.
     const bool is_all =
         (container && holds(near, container->boundary.bounds)) || !(distance < infinity);
+    if (is_all) {
+      distance = infinity;
+    }
     const JoinedSolids solids = join_solids_near(scene_, query_, near);
     const Operands operands{*solids.boundary, reflected_,
                             merge_directions(*solids.boundary, reflected_, tally)};
     FreePlaceSearch search(operands, wanted_, tally);
-    const std::optional<FreePlace> place =
-        search.nearest(position, is_all ? infinity : distance, {}, task, 1);
+    const std::optional<FreePlace> place = search.nearest(position, distance, {}, task, 1);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched = contact_in(operands, search, *place, solids.owners, tally);
       return {touched.owner,
@@ -150,6 +154,8 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
     if (is_all) {
       return {0, {infinity, {0, 0}, {position, Relation::overlapping}, {}}};
     }
+    factor *= factor;
+    distance *= factor;
   }
 }
 
