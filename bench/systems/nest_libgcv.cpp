@@ -1,36 +1,14 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <gcv/gcv.h>
-
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <stdexcept>
 
+#include "libgcv_handles.hpp"
 #include "nest.hpp"
 
 namespace gcv::bench {
 
 namespace {
-
-void check(gcv_status status) {
-  if (status != GCV_OK) {
-    throw std::runtime_error(gcv_last_error_message());
-  }
-}
-
-struct Destroy {
-  void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
-  void operator()(gcv_region* region) const { gcv_region_destroy(region); }
-  void operator()(gcv_scene* scene) const { gcv_scene_destroy(scene); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<Handle, Destroy>;
-
-Owned<gcv_polygon> make_polygon(const Ring& ring) {
-  gcv_polygon* polygon = nullptr;
-  check(gcv_polygon_create(&ring.data()->x, ring.size(), 0, &polygon));
-  return Owned<gcv_polygon>(polygon);
-}
 
 // The strip, and the parts that are in it.
 class Strip {

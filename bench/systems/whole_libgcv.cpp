@@ -1,34 +1,10 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include <gcv/gcv.h>
-
-#include <memory>
-#include <stdexcept>
-
+#include "libgcv_handles.hpp"
 #include "whole.hpp"
 
 namespace gcv::bench {
 
 namespace {
-
-void check(gcv_status status) {
-  if (status != GCV_OK) {
-    throw std::runtime_error(gcv_last_error_message());
-  }
-}
-
-struct Destroy {
-  void operator()(gcv_polygon* polygon) const { gcv_polygon_destroy(polygon); }
-  void operator()(gcv_outer_face* face) const { gcv_outer_face_destroy(face); }
-  void operator()(gcv_region* region) const { gcv_region_destroy(region); }
-};
-template <class Handle>
-using Owned = std::unique_ptr<Handle, Destroy>;
-
-Owned<gcv_polygon> make_polygon(const Ring& ring) {
-  gcv_polygon* polygon = nullptr;
-  check(gcv_polygon_create(&ring.data()->x, ring.size(), 0, &polygon));
-  return Owned<gcv_polygon>(polygon);
-}
 
 Owned<gcv_region> make_region(const Ring& a, const Ring& b, std::uint64_t leave_out) {
   const auto p = make_polygon(a);

@@ -308,10 +308,6 @@ Boundary joined(std::span<const PlacedBoundary> parts) {
     all.solids.clear();
   }
   all.bounds = box_of(all.relatives);
-  const auto first = static_cast<std::size_t>(parts.front().boundary.size());
-  if (all.kind == Boundary::Kind::hole && first < all.relatives.size()) {
-    all.crowd = box_of(std::span<const Point>(all.relatives).subspan(first));
-  }
   return all;
 }
 

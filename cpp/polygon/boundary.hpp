@@ -71,15 +71,14 @@ struct Boundary {
   Kind kind = Kind::outer;  // of the first ring
 
   Box bounds{};  // of the vertices, or of `relatives`
+  // Relative bounds of where much is covered, if that is known not to be everywhere.
+  std::optional<Box> crowd;
   Index lexicographic_min = 0;
   Index lexicographic_max = 0;
 
   [[nodiscard]] Index size() const { return static_cast<Index>(vertices.size()); }
   [[nodiscard]] Index next(Index i) const { return layout.next(i); }
   [[nodiscard]] Index previous(Index i) const { return layout.previous(i); }
-
-  // Relative bounds of all solids but the outside, where there are more.
-  std::optional<Box> crowd;
 
   [[nodiscard]] Point position(Index i) const {
     return positions.empty() ? Point{0, 0} : positions[i];

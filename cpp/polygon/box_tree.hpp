@@ -19,7 +19,7 @@ class BoxTree {
   // A box with a coordinate that is not a number counts as the whole plane. O(n log n).
   explicit BoxTree(std::span<const Box> boxes);
 
-  // Calls visit(k) for each box k that meets that box.
+  // Calls visit(k, its box) for each box k that meets that box.
   template <class Visit>
   void for_each_near(const Box& box, Visit visit) const {
     std::size_t node = 0;
@@ -27,7 +27,7 @@ class BoxTree {
       const Node& here = nodes_[node];
       const bool is_near = !are_apart(here.box, box);
       if (is_near && here.behind == node + 1) {
-        visit(here.number);
+        visit(here.number, here.box);
       }
       node = is_near ? node + 1 : here.behind;
     }

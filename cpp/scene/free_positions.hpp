@@ -42,17 +42,10 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
-  // A place, and vectors into what is free around it.
-  struct Furthest {
-    ExactPoint place;
-    std::vector<Point> ways;
-  };
-  [[nodiscard]] std::optional<Furthest> furthest_in(const std::optional<Box>& window,
-                                                    const Point& direction, Task& task,
-                                                    Tally& tally) const;
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
   // The same, or the nearest free position found on one of the ways.
-  [[nodiscard]] UsablePosition usable_along(const Furthest& furthest, Tally& tally) const;
+  [[nodiscard]] UsablePosition usable_along(const ExactPoint& place, const std::vector<Point>& ways,
+                                            Tally& tally) const;
 
   const Scene& scene_;
   const Query& query_;

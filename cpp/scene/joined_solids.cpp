@@ -99,8 +99,14 @@ class Joining {
   }
   [[nodiscard]] Index size() const { return size_; }
 
-  JoinedSolids run(const std::optional<WindowBorder>& border) {
-    return {std::make_shared<const Boundary>(joined(parts_)), std::move(owners_), border};
+  // The vertices from `first` to before `last` are those of members.
+  JoinedSolids run(Index first, Index last, const std::optional<WindowBorder>& border) {
+    Boundary boundary = joined(parts_);
+    if (first < last) {
+      boundary.crowd =
+          box_of(std::span<const Point>(boundary.relatives).subspan(first, last - first));
+    }
+    return {std::make_shared<const Boundary>(std::move(boundary)), std::move(owners_), border};
   }
 
  private:
@@ -131,10 +137,11 @@ JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Box&
   if (const std::optional<Solid> container = container_of(scene, query)) {
     joining.add(*container);
   }
+  const Index first = joining.size();
   for (const std::uint32_t slot : slots_near(scene, query, box)) {
     joining.add(scene.solid(slot));
   }
-  return joining.run(std::nullopt);
+  return joining.run(first, joining.size(), std::nullopt);
 }
 
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
@@ -163,17 +170,19 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
     frame.emplace(outside_of(frame_box));
     joining.add(0, *frame, {0, 0});
   }
+  const Index first = joining.size();
   for (const std::uint32_t slot : slots_near(scene, query, reach)) {
     joining.add(scene.solid(slot));
   }
+  const Index last = joining.size();
   if (!window) {
-    return joining.run(std::nullopt);
+    return joining.run(first, last, std::nullopt);
   }
   const WindowSolids solids(*window, moving, widened_outwards(frame_box, margin));
-  const WindowBorder border = border_from(joining.size(), *window, reflected);
+  const WindowBorder border = border_from(last, *window, reflected);
   joining.add(0, solids.below, solids.low);
   joining.add(0, solids.above, solids.high);
-  return joining.run(border);
+  return joining.run(first, last, border);
 }
 
 }  // namespace gcv

@@ -84,10 +84,8 @@ struct BoxedEdge {
 
 // Of the box of a polygon, relative to its vertex 0.
 Point middle_of(const Boundary& polygon) {
-  const Box& box = polygon.bounds;
-  const Point origin = polygon.origin();
-  return {((box.x0 - origin.x) + (box.x1 - origin.x)) / 2,
-          ((box.y0 - origin.y) + (box.y1 - origin.y)) / 2};
+  const Box box = polygon.relative_bounds();
+  return {(box.x0 + box.x1) / 2, (box.y0 + box.y1) / 2};
 }
 
 // For whole extents of 2^16 units less a few.

@@ -97,7 +97,7 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
   // The first vertex of B is at 0.
   const Box near{around.x0 - box_b.x1, around.y0 - box_b.y1, around.x1 - box_b.x0,
                  around.y1 - box_b.y0};
-  a.cover_index().solids.for_each_near(near, [&](Index solid) {
+  a.cover_index().solids.for_each_near(near, [&](Index solid, const Box& box) {
     const Index first = a.layout.begin(a.solids[solid]);
     if (first >= seen) {
       return;
@@ -109,6 +109,9 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
         rings.pass(operands.corner(first, j));
       }
       add(rings, true);
+    }
+    if (are_apart(around, box)) {
+      return;
     }
     PointInRings rings(operands, places, place, tally);
     for (Index i = first; i < a.layout.end(a.solid_end(solid) - 1); ++i) {

@@ -71,11 +71,14 @@ class EdgeCover {
   void walk(const PairEdge& s, Visitor& visitor) {
     const PlacesOnLine places(operands_, s, tally_);
     const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
-    search_.begin(line);
-    std::optional<Place> segment;  // where one has begun
     const bool has_points = border_ == nullptr || !border_->makes(s);
     const bool has_segments =
         has_points && (border_ == nullptr || !border_->holds(operands_, places));
+    if (has_points && !has_segments) {
+      visit_segments_along_border(places, visitor);
+    }
+    search_.begin(line);
+    std::optional<Place> segment;  // where one has begun
     runs_.clear();
     visitor.known_runs(places, runs_);
     for (Run& run : runs_) {
@@ -131,20 +134,6 @@ class EdgeCover {
     }
   }
 
-  // The same for the segments alone of an edge that lies on the border of the window, which is not
-  // seen.
-  template <class Visitor>
-  void walk_along_border(const PairEdge& s, Visitor& visitor) {
-    const PlacesOnLine places(operands_, s, tally_);
-    for (const auto& [from, to] : segments_along_border(places)) {
-      if (const int order = places.compare(from, to); order < 0) {
-        visitor.segment(places, from, to);
-      } else if (order == 0) {
-        visitor.point(places, from);
-      }
-    }
-  }
-
   // The same for all superset edges of the half-plane of directions that begins with that rank.
   // Returns how many there were. Calls pass(pairs), as the search does.
   template <class Visitor, class Pass>
@@ -155,14 +144,8 @@ class EdgeCover {
         first,
         [&](const PairEdge& s) {
           ++edges;
-          if (border_ != nullptr && border_->makes(s)) {
+          if ((border_ != nullptr && border_->makes(s)) || !lines.hold(s)) {
             walk(s, visitor);
-          } else if (!lines.hold(s)) {
-            walk(s, visitor);
-            if (border_ != nullptr &&
-                border_->holds(operands_, PlacesOnLine(operands_, s, tally_))) {
-              walk_along_border(s, visitor);
-            }
           }
         },
         pass);
@@ -231,6 +214,17 @@ class EdgeCover {
   [[nodiscard]] bool is_point(const Surroundings& surroundings) const {
     return !surroundings.is_covered && surroundings.blocked.hold_all() &&
            (border_ == nullptr || surroundings.blocked_inside.hold_almost_all());
+  }
+  // Of an edge that lies on the border of a window: the segments that are there without it.
+  template <class Visitor>
+  void visit_segments_along_border(const PlacesOnLine& places, Visitor& visitor) {
+    for (const auto& [from, to] : segments_along_border(places)) {
+      if (const int order = places.compare(from, to); order < 0) {
+        visitor.segment(places, from, to);
+      } else if (order == 0) {
+        visitor.point(places, from);
+      }
+    }
   }
   // Parts of s that are segments of F where the border is not seen, clipped to the window.
   std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);

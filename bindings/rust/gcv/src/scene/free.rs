@@ -170,7 +170,7 @@ impl Scene {
     /// The penetration at each position, in their order.
     ///
     /// The positions are shared out over the threads of the options, and its progress function
-    /// counts them. The call gives all answers or none.
+    /// counts them and the steps of their searches. The call gives all answers or none.
     ///
     /// # Errors
     /// As [`Scene::penetration`].
