@@ -29,8 +29,6 @@ using gcv::capi::guarded;
 using gcv::capi::require;
 using gcv::capi::require_finite;
 
-constexpr const char* name = "positions";  // in messages
-
 Point read_direction(const double direction[2]) {
   const Point result = gcv::finite_point({direction[0], direction[1]}, "direction");
   if (result == Point{0, 0}) {
@@ -84,19 +82,19 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     if (count == 0) {
       return;
     }
-    require(positions, name);
+    require(positions, "positions");
     require(out, "out");
-    const gcv::capi::Vectors all(positions, count, name);
+    const gcv::capi::Vectors all(positions, count, "positions");
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
     gcv::capi::give_all(count, Task::portion, 1, known, out, [&](Tally& tally, Task& task) {
       return [&](std::size_t k) {
         const auto [id, escape] = ways.escape(all[k], task, tally);
         const auto& [depth, way, place, contact] = escape;
-        require_finite(place.position, name, k);
-        require_finite(contact, name, k);
+        require_finite(place.position, "positions", k);
+        require_finite(contact, "positions", k);
         if (id != 0) {
-          require_finite(Point{depth, 0}, name, k);
+          require_finite(Point{depth, 0}, "positions", k);
         }
         return gcv_escape{depth,
                           {way.x, way.y},

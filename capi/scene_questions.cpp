@@ -67,8 +67,6 @@ using gcv::capi::require_finite;
 using gcv::capi::translations_a_report;
 using gcv::capi::Vectors;
 
-constexpr const char* name = "positions";  // in messages
-
 // What all of these functions take.
 struct Question {
   const gcv_scene* scene;
@@ -89,9 +87,9 @@ void give_answers(const Question& question, Result* out, Answer answer) {
   if (question.count == 0) {
     return;
   }
-  require(question.positions, name);
+  require(question.positions, "positions");
   require(out, "out");
-  const Vectors positions(question.positions, question.count, name);
+  const Vectors positions(question.positions, question.count, "positions");
   const gcv::Boundary& moving = question.moving->polygon->boundary();
   const SceneQuestions questions(question.scene->scene, query, moving);
   give_all(question.count, translations_a_report(moving.size(), moving.size()), options, out,
@@ -122,7 +120,7 @@ gcv_status gcv_scene_distance(const gcv_scene* scene, const gcv_polygon* moving,
         Question{scene, moving, positions, count, query, options}, out,
         [](const SceneQuestions& questions, const Point& position, std::size_t k, Tally& tally) {
           const auto [id, separation] = questions.distance(position, tally);
-          require_finite(separation.nearest, name, k);
+          require_finite(separation.nearest, "positions", k);
           return gcv_separation{separation.distance, static_cast<std::int32_t>(separation.relation),
                                 0, public_contact(separation.nearest, id)};
         });
@@ -142,8 +140,8 @@ gcv_status gcv_scene_cast(const gcv_scene* scene, const gcv_polygon* moving,
         [&](const SceneQuestions& questions, const Point& position, std::size_t k, Tally& tally) {
           const auto [id, impact] = questions.cast(position, all_motions[k], tally);
           const auto& [hit, time, place, contact] = impact;
-          require_finite(place.position, name, k);
-          require_finite(contact, name, k);
+          require_finite(place.position, "positions", k);
+          require_finite(contact, "positions", k);
           return gcv_impact{hit ? 1 : 0,
                             static_cast<std::int32_t>(place.relation),
                             time,

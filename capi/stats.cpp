@@ -10,11 +10,11 @@ namespace gcv::capi {
 
 void give_stats(const Counts& counts, std::uint64_t vertices_repaired, std::uint64_t parts_dropped,
                 gcv_stats* out) {
-  constexpr std::size_t size_0_1 = offsetof(gcv_stats, parts_dropped);
+  constexpr std::size_t first_size = offsetof(gcv_stats, parts_dropped);
   const std::uint32_t size = out->struct_size;
-  if (size < size_0_1) {
+  if (size < first_size) {
     throw Error(Status::invalid_argument, "stats: struct_size is %u, less than %zu", size,
-                size_0_1);
+                first_size);
   }
   const gcv_stats stats{size,
                         counts.walk_steps,
@@ -25,7 +25,7 @@ void give_stats(const Counts& counts, std::uint64_t vertices_repaired, std::uint
                         vertices_repaired,
                         parts_dropped};
   std::memset(out, 0, size);
-  std::memcpy(out, &stats, size < sizeof stats ? size_0_1 : sizeof stats);
+  std::memcpy(out, &stats, size < sizeof stats ? first_size : sizeof stats);
 }
 
 }  // namespace gcv::capi

@@ -32,17 +32,17 @@ gcv_outer_face* new_outer_face(const Operand& a, const Operand& b, const Point& 
   return new gcv_outer_face{gcv::minkowski_sum(a, b, shift, gcv::capi::sum_options(options), task)};
 }
 
-Operand operand(const gcv_polygon* polygon, const char* name) {
+Operand ring_operand(const gcv_polygon* polygon, const char* name) {
   return {polygon->outer_ring(), name};
 }
 
-Operand reflected_operand(const gcv_polygon* polygon, const char* name) {
+Operand reflected_ring_operand(const gcv_polygon* polygon, const char* name) {
   return {polygon->reflected_outer_ring(), name};
 }
 
-using Pairs = gcv::capi::CallersPairs<gcv::Boundary>;
+using RingPairs = gcv::capi::CallersPairs<gcv::Boundary>;
 
-void give_outer_faces(const Pairs& pairs, const gcv_options* options, gcv_outer_face** out,
+void give_outer_faces(const RingPairs& pairs, const gcv_options* options, gcv_outer_face** out,
                       gcv_status* statuses) {
   give_many(pairs, options, out, statuses,
             [&](const auto& rings, const gcv_options& known, gcv::Task& task, auto& faces) {
@@ -63,7 +63,7 @@ gcv_status gcv_minkowski_sum(const gcv_polygon* a, const gcv_polygon* b, const g
     require(b, "b");
     require(out, "out");
     const gcv_options known = read_options(options);
-    *out = new_outer_face(operand(a, "a"), operand(b, "b"), {0, 0}, known);
+    *out = new_outer_face(ring_operand(a, "a"), ring_operand(b, "b"), {0, 0}, known);
   });
 }
 
@@ -77,8 +77,8 @@ gcv_status gcv_no_fit_polygon(const gcv_polygon* fixed, const gcv_polygon* movin
     const gcv_options known = read_options(options);
     require(reference, "reference");
     const Point shift = finite_point({reference[0], reference[1]}, "reference");
-    *out =
-        new_outer_face(operand(fixed, "fixed"), reflected_operand(moving, "moving"), shift, known);
+    *out = new_outer_face(ring_operand(fixed, "fixed"), reflected_ring_operand(moving, "moving"),
+                          shift, known);
   });
 }
 
@@ -91,7 +91,7 @@ gcv_status gcv_entrance_block(const gcv_polygon* a, const gcv_polygon* b, const 
     const gcv_options known = read_options(options);
     require(a0, "a0");
     const Point shift = finite_point({a0[0], a0[1]}, "a0");
-    *out = new_outer_face(reflected_operand(a, "a"), operand(b, "b"), shift, known);
+    *out = new_outer_face(reflected_ring_operand(a, "a"), ring_operand(b, "b"), shift, known);
   });
 }
 
@@ -99,8 +99,8 @@ gcv_status gcv_minkowski_sum_many(const gcv_polygon* const* a, const gcv_polygon
                                   size_t count, const gcv_options* options, gcv_outer_face** out,
                                   gcv_status* statuses) {
   return guarded([&] {
-    const Pairs pairs{a,    &gcv_polygon::outer_ring, b, &gcv_polygon::outer_ring, nullptr, count,
-                      false};
+    const RingPairs pairs{
+        a, &gcv_polygon::outer_ring, b, &gcv_polygon::outer_ring, nullptr, count, false};
     give_outer_faces(pairs, options, out, statuses);
   });
 }
@@ -110,10 +110,10 @@ gcv_status gcv_no_fit_polygon_many(const gcv_polygon* const* fixed,
                                    size_t count, const gcv_options* options, gcv_outer_face** out,
                                    gcv_status* statuses) {
   return guarded([&] {
-    const Pairs pairs{fixed,      &gcv_polygon::outer_ring,
-                      moving,     &gcv_polygon::reflected_outer_ring,
-                      references, count,
-                      true};
+    const RingPairs pairs{fixed,      &gcv_polygon::outer_ring,
+                          moving,     &gcv_polygon::reflected_outer_ring,
+                          references, count,
+                          true};
     give_outer_faces(pairs, options, out, statuses);
   });
 }

@@ -36,10 +36,8 @@ using gcv::capi::translations_a_report;
 using gcv::capi::Vectors;
 using gcv::capi::wanted_parts;
 
-constexpr const char* name = "translations";  // in messages
-
 // What all of these functions take.
-struct Question {
+struct PairQuestion {
   const gcv_polygon* a;
   const gcv_polygon* b;
   const double* translations;
@@ -65,7 +63,7 @@ struct Asked {
 };
 // Nothing if there are no translations. Throws Error, with the number of the translation.
 template <class Result>
-std::optional<Asked> checked(const Question& question, const Result* out) {
+std::optional<Asked> checked(const PairQuestion& question, const Result* out) {
   require(question.a, "a");
   require(question.b, "b");
   const gcv_options options = read_options(question.options);
@@ -80,7 +78,7 @@ std::optional<Asked> checked(const Question& question, const Result* out) {
 
 // Writes answer(placed, k, tally) to `out` for each translation k.
 template <class Result, class Answer>
-void give_answers(const Question& question, Result* out, Answer answer) {
+void give_answers(const PairQuestion& question, Result* out, Answer answer) {
   if (const std::optional<Asked> asked = checked(question, out)) {
     give_all(question.count,
              translations_a_report(asked->pair.a.boundary.size(), asked->pair.b.boundary.size()),
@@ -97,7 +95,7 @@ void give_answers(const Question& question, Result* out, Answer answer) {
 gcv_status gcv_relation(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
                         size_t count, const gcv_options* options, int8_t* out) {
   return guarded([&] {
-    give_answers(Question{a, b, translations, count, options}, out,
+    give_answers(PairQuestion{a, b, translations, count, options}, out,
                  [](const PlacedPair& placed, std::size_t, Tally& tally) {
                    return static_cast<std::int8_t>(relation(placed, tally));
                  });
@@ -107,10 +105,10 @@ gcv_status gcv_relation(const gcv_polygon* a, const gcv_polygon* b, const double
 gcv_status gcv_distance(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
                         size_t count, const gcv_options* options, gcv_separation* out) {
   return guarded([&] {
-    give_answers(Question{a, b, translations, count, options}, out,
+    give_answers(PairQuestion{a, b, translations, count, options}, out,
                  [](const PlacedPair& placed, std::size_t k, Tally& tally) {
                    const gcv::Separation separation = distance(placed, tally);
-                   require_finite(separation.nearest, name, k);
+                   require_finite(separation.nearest, "translations", k);
                    return gcv_separation{separation.distance,
                                          static_cast<std::int32_t>(separation.relation), 0,
                                          public_contact(separation.nearest)};
@@ -126,11 +124,11 @@ gcv_status gcv_cast(const gcv_polygon* a, const gcv_polygon* b, const double* tr
       require(motions, "motions");
     }
     const Vectors all_motions(motions, count, "motions");
-    give_answers(Question{a, b, translations, count, options}, out,
+    give_answers(PairQuestion{a, b, translations, count, options}, out,
                  [&](const PlacedPair& placed, std::size_t k, Tally& tally) {
                    const auto [hit, time, place, contact] = cast(placed, all_motions[k], tally);
-                   require_finite(place.position, name, k);
-                   require_finite(contact, name, k);
+                   require_finite(place.position, "translations", k);
+                   require_finite(contact, "translations", k);
                    return gcv_impact{hit ? 1 : 0,
                                      static_cast<std::int32_t>(place.relation),
                                      time,
@@ -143,7 +141,7 @@ gcv_status gcv_cast(const gcv_polygon* a, const gcv_polygon* b, const double* tr
 gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const double* translations,
                            size_t count, const gcv_options* options, gcv_escape* out) {
   return guarded([&] {
-    const Question question{a, b, translations, count, options};
+    const PairQuestion question{a, b, translations, count, options};
     const std::optional<Asked> asked = checked(question, out);
     refuse_tolerance(read_options(options), "ways out of overlaps");
     if (!asked) {
@@ -160,9 +158,9 @@ gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const dou
                return [&, search = gcv::EscapeSearch(ways, tally)](std::size_t k) mutable {
                  const auto [depth, way, place, contact] =
                      search.find(PlacedPair(asked->pair, asked->translations[k]), progress);
-                 require_finite(place.position, name, k);
-                 require_finite(contact, name, k);
-                 require_finite(Point{depth, 0}, name, k);
+                 require_finite(place.position, "translations", k);
+                 require_finite(contact, "translations", k);
+                 require_finite(Point{depth, 0}, "translations", k);
                  return gcv_escape{depth,
                                    {way.x, way.y},
                                    {place.position.x, place.position.y},

@@ -14,7 +14,6 @@ namespace gcv {
 
 namespace {
 
-Point negated(const Point& p) { return {-p.x, -p.y}; }
 double size_of(const Point& p) { return std::abs(p.x) + std::abs(p.y); }
 
 // The first contact that the motion enters.

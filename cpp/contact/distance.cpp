@@ -65,8 +65,8 @@ class NearestPairs {
   }
 
   const RelativePair relative_;
-  double least_ = std::numeric_limits<double>::infinity();
-  double limit_ = std::numeric_limits<double>::infinity();
+  double least_ = infinity;
+  double limit_ = infinity;
   boost::container::small_vector<Candidate, 16> candidates_;
 };
 

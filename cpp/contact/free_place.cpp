@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "gap.hpp"
 #include "predicates.hpp"
@@ -11,8 +10,6 @@
 namespace gcv {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // How far the nearest side of the box of the sum is, if all is free outside of it.
 double distance_from_outside(const Operands& operands, const Point& p) {

@@ -2,7 +2,6 @@
 #include "penetration.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,11 +13,7 @@
 
 namespace gcv {
 
-namespace {
-
-Point negated(const Point& p) { return {-p.x, -p.y}; }
-
-}  // namespace
+namespace {}  // namespace
 
 Point way_to(const FreePlace& place, const Point& from, Tally& tally) {
   return nearest_point(place.point, negated(from), tally);
@@ -90,7 +85,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     return {0, {0, 0}, usable_position(placed.pair, start, tally_), {}};
   }
   const std::optional<FreePlace> place =
-      search_.nearest(from, std::numeric_limits<double>::infinity(), ways_.outer_ring(), task, 0);
+      search_.nearest(from, infinity, ways_.outer_ring(), task, 0);
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }

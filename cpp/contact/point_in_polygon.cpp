@@ -18,8 +18,7 @@ class Ray {
       : polygon_(polygon),
         tree_(polygon.tree()),
         point_(point),
-        box_{relative.x - slack, relative.y - slack, std::numeric_limits<double>::infinity(),
-             relative.y + slack},
+        box_{relative.x - slack, relative.y - slack, infinity, relative.y + slack},
         right_(relative.x + slack),
         tally_(tally) {}
 

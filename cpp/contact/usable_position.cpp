@@ -13,10 +13,10 @@ namespace {
 // A number of doubles to go up, or down.
 double stepped(double x, int steps) {
   for (; steps > 0; --steps) {
-    x = std::nextafter(x, std::numeric_limits<double>::infinity());
+    x = std::nextafter(x, infinity);
   }
   for (; steps < 0; ++steps) {
-    x = std::nextafter(x, -std::numeric_limits<double>::infinity());
+    x = std::nextafter(x, -infinity);
   }
   return x + 0.0;
 }

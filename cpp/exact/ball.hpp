@@ -6,7 +6,6 @@
 #pragma once
 
 #include <cmath>
-#include <limits>
 
 #include "double_double.hpp"
 
@@ -58,7 +57,7 @@ inline Ball operator/(const Ball& p, const Ball& d) {
   const double lo = ((std::fma(-hi, d.hi, p.hi) + p.lo) - hi * d.lo) / d.hi;
   const double size = std::abs(d.hi);
   const double error = 4 * (p.error + std::abs(hi) * d.error) / size + ball_roundoff * std::abs(hi);
-  return Ball::normal(hi, lo, size > 4 * d.error ? error : std::numeric_limits<double>::infinity());
+  return Ball::normal(hi, lo, size > 4 * d.error ? error : infinity);
 }
 
 // Of a number above 0; infinite error where it may be less. The root of x (1 + e) is within |e| of
@@ -67,7 +66,7 @@ inline Ball square_root(const Ball& x) {
   const double hi = std::sqrt(x.hi);
   const double lo = (std::fma(-hi, hi, x.hi) + x.lo) / (2 * hi);
   const double error = 2 * x.error / hi + ball_roundoff * hi;
-  return Ball::normal(hi, lo, x.hi > 4 * x.error ? error : std::numeric_limits<double>::infinity());
+  return Ball::normal(hi, lo, x.hi > 4 * x.error ? error : infinity);
 }
 
 inline bool is_in_range(double x) {

@@ -135,8 +135,7 @@ inline DoubleDoubleCross double_double_cross(const DoubleDoubleVector& v,
   const double lo = difference_error + (left_lo - right_lo);
   const double hi = difference + lo;
   return {hi, rounding_error(difference, lo, hi),
-          in_range ? 128 * unit_roundoff * unit_roundoff * size
-                   : std::numeric_limits<double>::infinity()};
+          in_range ? 128 * unit_roundoff * unit_roundoff * size : infinity};
 }
 
 // The parameter lambda of a crossing: the line of t crosses the line of s in o_s + lambda d_s.
@@ -169,7 +168,7 @@ inline DoubleDoubleParameter double_double_parameter(const SumEdge& s, const Sum
       2 * (n.error + size * d.error) / std::abs(d.hi) + 32 * unit_roundoff * unit_roundoff * size;
   return {hi,
           lo,
-          std::abs(d.hi) > 4 * d.error ? error : std::numeric_limits<double>::infinity(),
+          std::abs(d.hi) > 4 * d.error ? error : infinity,
           n.error == 0 && d.error == 0 && d.hi != 0,
           n.hi,
           d.hi};

@@ -12,8 +12,6 @@ namespace gcv {
 
 namespace {
 
-Point negated(const Point& p) { return {-p.x, -p.y}; }
-
 void include(Grid& grid, const ExactPoint& p) {
   if (p.is_sum) {
     grid.include(p.sum);

@@ -32,7 +32,7 @@ struct Square {
   Integer w;
 };
 
-constexpr int square_bits(int grid_bits) { return 4 * grid_bits + 10; }
+constexpr int gap_square_bits(int grid_bits) { return 4 * grid_bits + 10; }
 
 template <class Integer>
 Integer square(const Vector<Integer>& v) {
@@ -145,11 +145,12 @@ int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
   Grid grid;
   include(grid, p);
   include(grid, q);
-  return with_integers(square_bits(grid.bits()) + 2 * grid.bits() + 3, tally, [&]<class Integer>() {
-    const Square<Integer> left = square_of<Integer>(grid, p);
-    const Square<Integer> right = square_of<Integer>(grid, q);
-    return sign(Integer(left.n * right.w - right.n * left.w));
-  });
+  return with_integers(gap_square_bits(grid.bits()) + 2 * grid.bits() + 3, tally,
+                       [&]<class Integer>() {
+                         const Square<Integer> left = square_of<Integer>(grid, p);
+                         const Square<Integer> right = square_of<Integer>(grid, q);
+                         return sign(Integer(left.n * right.w - right.n * left.w));
+                       });
 }
 
 bool is_zero(const Gap& gap, Tally& tally) {
@@ -171,7 +172,7 @@ int compare_gap(const Gap& p, double distance, Tally& tally) {
   Grid grid;
   include(grid, p);
   grid.include(distance);
-  return with_integers(square_bits(grid.bits()) + 2, tally, [&]<class Integer>() {
+  return with_integers(gap_square_bits(grid.bits()) + 2, tally, [&]<class Integer>() {
     const Square<Integer> left = square_of<Integer>(grid, p);
     const auto right = grid.integer<Integer>(distance);
     return sign(Integer(left.n - right * right * left.w));
@@ -185,7 +186,7 @@ double nearest_gap(const Gap& gap, Tally& tally) {
   }
   Grid grid;
   include(grid, gap);
-  return with_integers(root_bits(square_bits(grid.bits())), tally, [&]<class Integer>() {
+  return with_integers(root_bits(gap_square_bits(grid.bits())), tally, [&]<class Integer>() {
     const Square<Integer> squared = square_of<Integer>(grid, gap);
     return nearest_root_of(squared.n, squared.w, grid.exponent());
   });

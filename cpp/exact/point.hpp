@@ -6,6 +6,7 @@
 
 #include <cassert>
 #include <cstddef>
+#include <limits>
 #include <span>
 
 #include "buffer.hpp"
@@ -20,6 +21,10 @@ struct Point {
 };
 
 using PointVector = Buffer<Point>;
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
+
+inline Point negated(const Point& p) { return {-p.x, -p.y}; }
 
 // Lexicographic order, first by x, then by y.
 inline bool lexicographically_less(const Point& p, const Point& q) {

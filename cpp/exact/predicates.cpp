@@ -23,7 +23,6 @@ namespace {
 
 constexpr double cross_error = 8 * unit_roundoff;
 constexpr double underflow_error = 8 * std::numeric_limits<double>::denorm_min();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 struct Approximation {
   double value;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <limits>
 #include <span>
 
 #include "point.hpp"
@@ -18,9 +17,7 @@ struct Box {
 };
 
 // The bounding box of no point.
-inline constexpr Box empty_box{
-    std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-    -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+inline constexpr Box empty_box{infinity, infinity, -infinity, -infinity};
 
 // The bounding box of the segment pq.
 inline Box box_of(const Point& p, const Point& q) {

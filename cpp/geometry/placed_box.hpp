@@ -16,8 +16,7 @@ namespace gcv {
 inline double sum_below(double x, double y) {
   const double sum = x + y;
   const double error = rounding_error(x, y, sum);
-  const double below =
-      error >= 0 ? sum : std::nextafter(sum, -std::numeric_limits<double>::infinity());
+  const double below = error >= 0 ? sum : std::nextafter(sum, -infinity);
   return std::min(below, std::numeric_limits<double>::max());
 }
 inline double sum_above(double x, double y) { return -sum_below(-x, -y); }

@@ -30,9 +30,7 @@ inline Point unit_vector(const Point& direction) {
 
 // The next larger double. x must not be negative.
 inline double next_up(double x) {
-  return x < std::numeric_limits<double>::infinity()
-             ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1)
-             : x;
+  return x < infinity ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1) : x;
 }
 
 // At least sqrt(x^2 + y^2). There are five roundings, each below u; the factor covers them. If the

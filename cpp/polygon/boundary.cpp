@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "cycle.hpp"
@@ -248,7 +247,6 @@ Touches Boundary::touches_of_solids() const {
 }
 
 BoxTree Boundary::solid_boxes() const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<Box> boxes;
   boxes.reserve(solids.size());
   for (const Index ring : solids) {

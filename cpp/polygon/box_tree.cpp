@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace gcv {
@@ -11,7 +10,6 @@ namespace gcv {
 namespace {
 
 Box plane_if_unknown(const Box& box) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const bool is_known = box.x0 <= box.x1 && box.y0 <= box.y1;
   return is_known ? box : Box{-infinity, -infinity, infinity, infinity};
 }
@@ -40,7 +38,7 @@ void BoxTree::add(std::span<const Box> boxes, std::span<std::uint32_t> numbers) 
     const auto middle = [&](std::uint32_t number) {
       const Box& box = boxes[number];
       const double twice = by_x ? box.x0 + box.x1 : box.y0 + box.y1;
-      return std::isnan(twice) ? std::numeric_limits<double>::infinity() : twice;
+      return std::isnan(twice) ? infinity : twice;
     };
     const auto half = static_cast<std::ptrdiff_t>(numbers.size() / 2);
     std::nth_element(numbers.begin(), numbers.begin() + half, numbers.end(),

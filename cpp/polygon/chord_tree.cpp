@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "chain_tree.hpp"
@@ -12,8 +11,6 @@
 namespace gcv {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Builder {
  public:

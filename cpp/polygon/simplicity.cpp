@@ -26,7 +26,7 @@ namespace gcv {
 
 namespace {
 
-using Edge = std::uint32_t;
+using EdgeIndex = std::uint32_t;
 
 // Are the segments ab and cd apart? They must lie on one line.
 bool disjoint_on_a_line(const Point& a, const Point& b, const Point& c, const Point& d) {
@@ -50,17 +50,18 @@ class Sweep {
   explicit Sweep(std::span<const Point> ring) : ring_(ring), active_(Below{this}) {}
 
   std::optional<Conflict> run() {
-    std::vector<Edge> order(ring_.size());
-    std::iota(order.begin(), order.end(), Edge{0});
-    std::sort(order.begin(), order.end(),
-              [this](Edge i, Edge j) { return lexicographically_less(ring_[i], ring_[j]); });
+    std::vector<EdgeIndex> order(ring_.size());
+    std::iota(order.begin(), order.end(), EdgeIndex{0});
+    std::sort(order.begin(), order.end(), [this](EdgeIndex i, EdgeIndex j) {
+      return lexicographically_less(ring_[i], ring_[j]);
+    });
     for (std::size_t k = 0; k + 1 < order.size(); ++k) {
       if (ring_[order[k]] == ring_[order[k + 1]]) {
         return Conflict{std::min(order[k], order[k + 1]), std::max(order[k], order[k + 1])};
       }
     }
     places_.resize(ring_.size());
-    for (const Edge vertex : order) {
+    for (const EdgeIndex vertex : order) {
       pass(vertex);
       if (conflict_) {
         return conflict_;
@@ -72,20 +73,24 @@ class Sweep {
  private:
   struct Below {
     Sweep* sweep;
-    bool operator()(Edge e, Edge f) const { return sweep->below(e, f); }
+    bool operator()(EdgeIndex e, EdgeIndex f) const { return sweep->below(e, f); }
   };
-  using Active = std::set<Edge, Below>;
+  using Active = std::set<EdgeIndex, Below>;
   using Place = Active::iterator;
 
-  [[nodiscard]] Edge size() const { return static_cast<Edge>(ring_.size()); }
-  [[nodiscard]] Edge next(Edge i) const { return cyclic_next(i, size()); }
-  [[nodiscard]] bool goes_right(Edge e) const {
+  [[nodiscard]] EdgeIndex size() const { return static_cast<EdgeIndex>(ring_.size()); }
+  [[nodiscard]] EdgeIndex next(EdgeIndex i) const { return cyclic_next(i, size()); }
+  [[nodiscard]] bool goes_right(EdgeIndex e) const {
     return lexicographically_less(ring_[e], ring_[next(e)]);
   }
-  [[nodiscard]] const Point& left_end(Edge e) const { return ring_[goes_right(e) ? e : next(e)]; }
-  [[nodiscard]] const Point& right_end(Edge e) const { return ring_[goes_right(e) ? next(e) : e]; }
+  [[nodiscard]] const Point& left_end(EdgeIndex e) const {
+    return ring_[goes_right(e) ? e : next(e)];
+  }
+  [[nodiscard]] const Point& right_end(EdgeIndex e) const {
+    return ring_[goes_right(e) ? next(e) : e];
+  }
 
-  void report(Edge e, Edge f) {
+  void report(EdgeIndex e, EdgeIndex f) {
     if (!conflict_) {
       conflict_ = Conflict{std::min(e, f), std::max(e, f)};
     }
@@ -93,7 +98,7 @@ class Sweep {
 
   // The order of two edges that the sweep line meets. Compares the left end that comes later with
   // the other edge.
-  bool below(Edge e, Edge f) {
+  bool below(EdgeIndex e, EdgeIndex f) {
     if (e == f) {
       return false;
     }
@@ -116,7 +121,7 @@ class Sweep {
   }
 
   // Neighbours in the ring meet in their common vertex. If they overlap, below() finds that.
-  [[nodiscard]] bool meet(Edge e, Edge f) {
+  [[nodiscard]] bool meet(EdgeIndex e, EdgeIndex f) {
     return next(e) != f && next(f) != e &&
            segments_meet(ring_[e], ring_[next(e)], ring_[f], ring_[next(f)], tally_);
   }
@@ -127,18 +132,18 @@ class Sweep {
     }
   }
 
-  void enter(Edge edge, Place hint) {
+  void enter(EdgeIndex edge, Place hint) {
     const auto place = active_.insert(hint, edge);
     places_[edge] = place;
     test_with_lower_neighbour(place);
     test_with_lower_neighbour(std::next(place));
   }
 
-  Place leave(Edge edge) { return active_.erase(places_[edge]); }
+  Place leave(EdgeIndex edge) { return active_.erase(places_[edge]); }
 
-  void pass(Edge vertex) {
-    const Edge incoming = cyclic_previous(vertex, size());
-    const Edge outgoing = vertex;
+  void pass(EdgeIndex vertex) {
+    const EdgeIndex incoming = cyclic_previous(vertex, size());
+    const EdgeIndex outgoing = vertex;
     const bool incoming_starts = !goes_right(incoming);
     const bool outgoing_starts = goes_right(outgoing);
     if (incoming_starts && outgoing_starts) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -126,7 +125,6 @@ int ExactOrder::compare(const Placed& p, const Point& q) const {
 Box ExactOrder::box_of_edge(const Placed& p, const Placed& q) {
   const auto near = [](const Placed& v) { return Point{v.nearest.x.value, v.nearest.y.value}; };
   const Box box = box_of(near(p), near(q));
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   return {std::nextafter(box.x0, -infinity), std::nextafter(box.y0, -infinity),
           std::nextafter(box.x1, infinity), std::nextafter(box.y1, infinity)};
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "predicates.hpp"
@@ -19,8 +18,6 @@ std::uint32_t priority(std::uint32_t edge) {
   hash = (hash ^ (hash >> 15U)) * 0x85ebca6bU;
   return hash ^ (hash >> 13U);
 }
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 

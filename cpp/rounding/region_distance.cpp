@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <span>
 #include <vector>
 
@@ -20,8 +19,6 @@
 namespace gcv {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class Distances {
  public:

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 
 #include "box.hpp"
@@ -114,7 +113,6 @@ class Validator {
 
   // The doubles next to a point.
   static std::vector<Point> neighbours(const Point& p) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto next = [](double x, int way) {
       return way == 0 ? x : std::nextafter(x, way * infinity);
     };

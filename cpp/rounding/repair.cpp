@@ -23,7 +23,7 @@ namespace gcv {
 namespace {
 
 constexpr int rounds = 16;
-constexpr double furthest = 6;  // the units in the last place that a vertex may move
+constexpr double furthest_move = 6;  // the units in the last place that a vertex may move
 
 class Separator {
  public:
@@ -157,8 +157,8 @@ class Separator {
     Point& move = moves_[k];
     move = {move.x + demand.x / length, move.y + demand.y / length};
     const double distance = std::sqrt(move.x * move.x + move.y * move.y);
-    if (distance > furthest) {
-      move = {move.x * (furthest / distance), move.y * (furthest / distance)};
+    if (distance > furthest_move) {
+      move = {move.x * (furthest_move / distance), move.y * (furthest_move / distance)};
     }
     const Point& p = nearest_[k];
     const double unit = std::max(unit_in_last_place(p.x), unit_in_last_place(p.y));

@@ -63,20 +63,20 @@ class PlacedSum {
   PairOfDoubles error_;
 };
 
-constexpr double smallest = std::numeric_limits<double>::denorm_min();
+constexpr double denormal = std::numeric_limits<double>::denorm_min();
 
 // The size of a number that was rounded. 0 if it is exact.
 double size_if_rounded(const RoundedNumber& number) {
-  return number.exact ? 0 : std::max(std::abs(number.value), smallest);
+  return number.exact ? 0 : std::max(std::abs(number.value), denormal);
 }
 
 // At least the rounding error of a number of that size.
 double error_of_size(double size) {
-  return size == 0 ? 0 : std::max(unit_in_last_place(size) / 2, smallest);
+  return size == 0 ? 0 : std::max(unit_in_last_place(size) / 2, denormal);
 }
 
 // The size from which on rounding errors are larger than `error`: the next power of two.
-double next_size(double error) { return std::max(0x1p54 * error, smallest); }
+double next_size(double error) { return std::max(0x1p54 * error, denormal); }
 
 void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
   const bool x_is_finite = std::isfinite(vertex.x.value);
@@ -164,7 +164,7 @@ PointVector ring_through(PointVector places) {
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
   struct Portion {
     double error_bound = 0;
-    Point sizes{smallest, smallest};  // from which on errors are larger than `error_bound`
+    Point sizes{denormal, denormal};  // from which on errors are larger than `error_bound`
     Tally tally;
 
     void add(const RoundedVertex& vertex) {

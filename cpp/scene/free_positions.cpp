@@ -15,8 +15,6 @@ namespace gcv {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 bool holds(const Box& box, const Box& other) {
   return box.x0 <= other.x0 && box.y0 <= other.y0 && box.x1 >= other.x1 && box.y1 >= other.y1;
 }

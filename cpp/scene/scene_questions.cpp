@@ -14,8 +14,6 @@ namespace gcv {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 // A solid and the polygon that moves, each at its position.
 struct PlacedSolid {
   PlacedSolid(const Solid& solid, const Boundary& moving, const Point& position)

@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "vector.hpp"
 
@@ -20,10 +19,10 @@ namespace {
 
 // How far the box goes ahead of the walk and behind it, in ways of its last block of places; and
 // how far beyond the sides of that way, in swings: to the left, where the sum is, and to the right.
-constexpr double ahead = 2;
-constexpr double behind = 0.05;
-constexpr double inside = 0.1;
-constexpr double outside = 1;
+constexpr double box_ahead = 2;
+constexpr double box_behind = 0.05;
+constexpr double box_inside = 0.1;
+constexpr double box_outside = 1;
 
 constexpr double least_stretch = 0x1p-4;
 
@@ -127,7 +126,6 @@ double AheadCache::room(const Point& place, double dx, double dy) const {
   const Point p = in_frame(place);
   const Point d = in_frame({dx, dy});
   const auto steps = [](double step, double low, double high) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     return step > 0 ? high / step : step < 0 ? low / step : infinity;
   };
   constexpr double a_bit_less = 1 - 0x1p-10;
@@ -170,8 +168,8 @@ bool AheadCache::lay_out(const Point& place) {
   unit_ = {cosine * unit_.x - sine * unit_.y, cosine * unit_.y + sine * unit_.x};
   const double axis = in_frame(last).y;
   const Point p = in_frame(place);
-  bounds_ = {p.x - behind * length, std::min(axis + right, p.y) - outside * swing,
-             p.x + stretch_ * ahead * length, std::max(axis + left, p.y) + inside * swing};
+  bounds_ = {p.x - box_behind * length, std::min(axis + right, p.y) - box_outside * swing,
+             p.x + stretch_ * box_ahead * length, std::max(axis + left, p.y) + box_inside * swing};
   slab_length_ = (bounds_.x1 - bounds_.x0) / slab_count;
   slabs_per_length_ = 1 / slab_length_;
   constexpr double extents_per_tolerance = 0x1p46;

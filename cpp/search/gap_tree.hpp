@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "double_double.hpp"
@@ -19,7 +18,7 @@ struct Gap {
     const DoubleDouble number = two_sum(to, -from);
     return {number.hi, number.lo};
   }
-  static Gap infinite() { return {std::numeric_limits<double>::infinity(), 0}; }
+  static Gap infinite() { return {infinity, 0}; }
 
   friend bool operator>(const Gap& p, const Gap& q) {
     return p.hi > q.hi || (p.hi == q.hi && p.lo > q.lo);

@@ -11,8 +11,6 @@ namespace gcv {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 double extents_of(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
 }  // namespace

@@ -95,9 +95,7 @@ class Piece {
   // Twice the slack; infinite where the offset of a point from a side can overflow.
   static double margin(double slack) {
     const double extents = 0x1p48 * slack;
-    return extents * extents <= std::numeric_limits<double>::max()
-               ? 2 * slack
-               : std::numeric_limits<double>::infinity();
+    return extents * extents <= std::numeric_limits<double>::max() ? 2 * slack : infinity;
   }
 
   // The lanes whose sums with the line-swept sphere of the other node, parallelograms with round

@@ -19,7 +19,7 @@ constexpr std::size_t too_many = 192;
 constexpr std::int64_t most_visits = 600;
 
 // How far the band goes to the left of the walk, beside how far it goes along.
-constexpr double depth = 0.25;
+constexpr double place_depth = 0.25;
 
 }  // namespace
 
@@ -98,7 +98,7 @@ bool PlaceCache::gather(const Point& from, const Point& to, VisitedPairs* met) {
   const double ahead = 0.5 * reach_;
   const Point centre{from.x + ahead * (dx_ / size), from.y + ahead * (dy_ / size)};
   const Box bounds{centre.x - reach_, centre.y - reach_, centre.x + reach_, centre.y + reach_};
-  leftmost_ = dx_ * from.y - dy_ * from.x + depth * reach_ * length_bound(dx_, dy_) +
+  leftmost_ = dx_ * from.y - dy_ * from.x + place_depth * reach_ * length_bound(dx_, dy_) +
               std::numeric_limits<double>::min();
   const Box wide = widened(bounds, slack_);
   Band band(wide, dx_, dy_, leftmost_ + offset_tolerance(dx_, dy_, slack_));

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -195,14 +194,14 @@ class Search {
 
   const SearchableSuperset& superset_;
   const Operands& operands_;
-  std::unique_ptr<VisitedPairs> visited_;                    // where chains are equal
-  std::optional<PlaceCache> near_;                           // without a table
-  std::optional<AheadCache> ahead_;                          // likewise
-  double stride_ = std::numeric_limits<double>::infinity();  // twice the last steps
-  std::optional<LineSearch> line_;     // where the walk went straight on past many edges
-  std::uint64_t straight_cost_ = 0;    // of what the walk has met while it did
-  std::uint64_t last_candidates_ = 0;  // of the last step
-  bool is_continued_ = false;          // the next step goes along the line
+  std::unique_ptr<VisitedPairs> visited_;  // where chains are equal
+  std::optional<PlaceCache> near_;         // without a table
+  std::optional<AheadCache> ahead_;        // likewise
+  double stride_ = infinity;               // twice the last steps
+  std::optional<LineSearch> line_;         // where the walk went straight on past many edges
+  std::uint64_t straight_cost_ = 0;        // of what the walk has met while it did
+  std::uint64_t last_candidates_ = 0;      // of the last step
+  bool is_continued_ = false;              // the next step goes along the line
 };
 
 }  // namespace gcv

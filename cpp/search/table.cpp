@@ -49,8 +49,8 @@ class ZOrder {
 
 using ShortBox = SimdBox<SimdShort>;
 
-constexpr ShortBox nothing{SimdShort::highest, SimdShort::highest, SimdShort::lowest,
-                           SimdShort::lowest};
+constexpr ShortBox no_box{SimdShort::highest, SimdShort::highest, SimdShort::lowest,
+                          SimdShort::lowest};
 
 // A vertex of a polygon, with its coordinates twice, and the box of the edge behind it.
 struct PlacedVertex {
@@ -169,7 +169,7 @@ SupersetTable::SupersetTable(const Operands& operands, const CoarseGrid& grid,
     level[place / width].put(place % width, std::bit_cast<ShortBox>(e.box));
   }
   for (auto k = static_cast<std::uint32_t>(size); k % width != 0; ++k) {
-    level[k / width].put(k % width, nothing);
+    level[k / width].put(k % width, no_box);
   }
   std::uint32_t first = first_leaf_;
   for (std::uint32_t count = leaves; count > 1; count = (count + width - 1) / width) {
@@ -180,7 +180,7 @@ SupersetTable::SupersetTable(const Operands& operands, const CoarseGrid& grid,
       level[k / width].put(k % width, below[k].hull());
     }
     for (std::uint32_t k = count; k % width != 0; ++k) {
-      level[k / width].put(k % width, nothing);
+      level[k / width].put(k % width, no_box);
     }
   }
 }

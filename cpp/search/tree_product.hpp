@@ -36,7 +36,7 @@ inline double offset_tolerance(double dx, double dy, double slack) {
   const double largest = size * (slack * 0x1p48);
   return largest <= std::numeric_limits<double>::max()
              ? size * slack + std::numeric_limits<double>::min()
-             : std::numeric_limits<double>::infinity();
+             : infinity;
 }
 
 class TreeProduct {

@@ -28,7 +28,7 @@ WitnessSearch::WitnessSearch(const Operands& operands)
       cells_(operands, slack_) {
   const double extents = 0x1p48 * slack_;
   if (!(extents * extents <= std::numeric_limits<double>::max())) {
-    slack_ = std::numeric_limits<double>::infinity();  // nothing is certain in doubles
+    slack_ = infinity;  // nothing is certain in doubles
   }
 }
 
@@ -46,7 +46,7 @@ WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
 // others, twice the slack is enough. Comparisons with what is not a number are false. So such a
 // range is near, and covers nothing.
 WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
-  if (!(slack_ < std::numeric_limits<double>::infinity())) {
+  if (!(slack_ < infinity)) {
     return {{-2, -2, -2, -2}, {2, 2, 2, 2}, {2, 2, 2, 2}, {-2, -2, -2, -2}};
   }
   const ChordTree::Block& chords = family.children;
@@ -112,7 +112,7 @@ WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
       (highest - least_u - along_u) * inverse_u);
   cut(covered_from, covered_to, (lowest + least_v - along_v) * inverse_v,
       (highest - least_v - along_v) * inverse_v);
-  const SimdDouble nothing = SimdDouble::of(std::numeric_limits<double>::infinity());
+  const SimdDouble nothing = SimdDouble::of(infinity);
   Ranges result;
   near_from.store(result.near_from);
   near_to.store(result.near_to);

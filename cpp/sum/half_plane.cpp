@@ -6,11 +6,12 @@ namespace gcv {
 namespace {
 
 // How many edges have each rank, and how many convex vertices contribute to each rank.
-struct Counts {
+struct PairsByRank {
   std::vector<std::uint64_t> edges;
   std::vector<std::uint64_t> cones;
 
-  Counts(const Boundary& polygon, const Ranks& ranks, Rank turn) : edges(turn), cones(turn + 1) {
+  PairsByRank(const Boundary& polygon, const Ranks& ranks, Rank turn)
+      : edges(turn), cones(turn + 1) {
     for (const Rank rank : ranks) {
       ++edges[rank];
     }
@@ -33,8 +34,8 @@ struct Counts {
 Rank cheapest_half_plane(const Operands& operands) {
   const Rank half = operands.directions.half_turn;
   const Rank turn = 2 * half;
-  const Counts a(operands.a, operands.directions.rank_a, turn);
-  const Counts b(operands.b, operands.directions.rank_b, turn);
+  const PairsByRank a(operands.a, operands.directions.rank_a, turn);
+  const PairsByRank b(operands.b, operands.directions.rank_b, turn);
   const auto count = [&](Rank rank) {
     return a.edges[rank] * b.cones[rank] + b.edges[rank] * a.cones[rank];
   };

@@ -73,15 +73,19 @@ INCOMPATIBLE: dict[str, list[Edit]] = {
 
 
 def interface(capi: pathlib.Path, folder: pathlib.Path) -> pathlib.Path:
-    """The C interface compiled as a shared library, from the sources in capi."""
+    """The C interface compiled as a shared library, from the sources in capi, in one piece."""
     library = folder / "libgcv.so.0"
+    sources = sorted(source for source in capi.glob("*.cpp") if source.name != LAYOUT)
+    unit = folder / "all.cpp"
+    unit.write_text("".join(f'#include "{source}"\n' for source in sources))
     subprocess.run(
         [
             COMPILER,
             *OPTIONS,
             f"-I{capi / 'include'}",
             *(f"-I{room}" for room in (ROOT / "cpp").iterdir() if room.is_dir()),
-            *(source for source in capi.glob("*.cpp") if source.name != LAYOUT),
+            f"-I{capi}",
+            unit,
             f"-Wl,--version-script={capi / MAP}",
             "-o",
             library,
