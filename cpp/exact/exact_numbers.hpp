@@ -3,8 +3,8 @@
 // Exact numbers in integers of four widths. Every finite double is an integer multiple of a power
 // of two. So the operands of a predicate are integers on a common grid 2^exponent, and every
 // predicate is the sign of a polynomial in integers. The bits of the operands decide how wide the
-// integers must be: 128, 256 or 512 bits without heap memory, else GMP's. One formula serves all
-// widths.
+// integers must be: 128, 256 or 512 bits without heap memory, else of any size. One formula serves
+// all widths.
 //
 // Heavy headers: include this in source files only.
 #pragma once
@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <bit>
 #include <boost/multiprecision/cpp_int.hpp>
-#include <boost/multiprecision/gmp.hpp>
 #include <cassert>
 #include <climits>
 #include <cstdint>
 #include <initializer_list>
 
+#include "big_integer.hpp"
 #include "point.hpp"
 #include "tally.hpp"
 
@@ -33,8 +33,6 @@ using FixedInteger = boost::multiprecision::number<
     boost::multiprecision::et_off>;
 using Int256 = FixedInteger<256>;
 using Int512 = FixedInteger<512>;
-using BigInteger =
-    boost::multiprecision::number<boost::multiprecision::gmp_int, boost::multiprecision::et_off>;
 
 inline int sign(Int128 value) { return (value > 0) - (value < 0); }
 template <class Integer>

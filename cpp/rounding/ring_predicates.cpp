@@ -21,14 +21,6 @@ std::string to_text(const Integer& value) {
   return value.str();
 }
 
-// Used instead of str(), which leaks GMP's text if there is no memory for a copy of it.
-std::string to_text(const BigInteger& value) {
-  std::string text(mpz_sizeinbase(value.backend().data(), 10) + 2, '\0');
-  mpz_get_str(text.data(), 10, value.backend().data());
-  text.resize(text.find('\0'));
-  return text;
-}
-
 // n / w * 2^exponent, in lowest terms.
 template <class Integer>
 std::string fraction(Integer n, Integer w, int exponent) {
