@@ -16,11 +16,6 @@ namespace gcv {
 
 namespace {
 
-template <class Integer>
-std::string to_text(const Integer& value) {
-  return value.str();
-}
-
 // n / w * 2^exponent, in lowest terms.
 template <class Integer>
 std::string fraction(Integer n, Integer w, int exponent) {
@@ -30,7 +25,7 @@ std::string fraction(Integer n, Integer w, int exponent) {
     w <<= -exponent;
   }
   const Integer divisor = gcd(n, w);
-  return to_text(Integer(n / divisor)) + "/" + to_text(Integer(w / divisor));
+  return to_text(BigInteger(n / divisor)) + "/" + to_text(BigInteger(w / divisor));
 }
 
 // The side of the line on which the crossing of s and t lies. Nothing if it is too close to the

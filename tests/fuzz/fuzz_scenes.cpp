@@ -2,7 +2,8 @@
 //
 // Bytes -> some polygons, and changes of scenes of them, copies, and questions. Scenes must answer
 // as those that are made afresh with the same members, to the bit; and as their members do one by
-// one, where positions have doubles as differences. What is refused changes nothing.
+// one, where positions have doubles as differences. Free regions, best positions and ways out must
+// agree with relations. What is refused changes nothing.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -12,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "free_checks.hpp"
 #include "question_polygons.hpp"
 #include "scene_members.hpp"
 
@@ -294,18 +296,51 @@ class Calls {
         difference(changing.scene.get(), changing.members, shapes_, asked, earlier, changing.lists);
     check(wrong.empty(), wrong + where(changing, asked));
     check_members(changing, asked);
+    check_free(changing, asked);
+  }
+
+  // In a window between the position and the end of the motion, and in the container.
+  void check_free(const Changing& changing, const Asked& asked) const {
+    const gcv_query query = query_of(asked);
+    const bool is_bounded =
+        changing.members.container && asked.layers != 0 && !is_ignored(asked, 1);
+    const gcv::fuzz::FreeQuestions questions{changing.scene.get(), asked.moving, &query, is_bounded,
+                                             where(changing, asked)};
+    const Point& position = asked.positions.front();
+    const Point& motion = asked.motions.front();
+    const Point end{position[0] + motion[0], position[1] + motion[1]};
+    const auto [x0, x1] = std::minmax(position[0], end[0]);
+    const auto [y0, y1] = std::minmax(position[1], end[1]);
+    const double window[] = {x0, y0, x1, y1};
+    if (is_finite(end) && x0 < x1 && y0 < y1) {
+      questions.check_region(window, {position, end});
+    }
+    if (is_bounded) {
+      questions.check_region(nullptr, {position});
+    }
+    questions.check_best(motion);
+    questions.check_way_out(position);
+  }
+
+  static bool is_ignored(const Asked& asked, Id id) {
+    return std::find(asked.ignored.begin(), asked.ignored.end(), id) != asked.ignored.end();
+  }
+
+  static gcv_query query_of(const Asked& asked) {
+    gcv_query query = GCV_QUERY_INIT;
+    query.layers = asked.layers;
+    query.ignore = asked.ignored.data();
+    query.ignore_count = asked.ignored.size();
+    return query;
   }
 
   void check_members(const Changing& changing, const Asked& asked) const {
-    const auto is_ignored = [&](Id id) {
-      return std::find(asked.ignored.begin(), asked.ignored.end(), id) != asked.ignored.end();
-    };
-    if (changing.members.container && asked.layers != 0 && !is_ignored(1)) {
+    if (changing.members.container && asked.layers != 0 && !is_ignored(asked, 1)) {
       return;
     }
     std::vector<PlacedMember> members;
     for (const auto& [id, member] : changing.members.by_id) {
-      if ((member.layers & asked.layers) != 0 && !is_ignored(id)) {
+      if ((member.layers & asked.layers) != 0 && !is_ignored(asked, id)) {
         members.push_back({id, shapes_[member.shape].get(), member.position});
       }
     }
@@ -317,10 +352,7 @@ class Calls {
 
   void check_answers(const Changing& changing, const Asked& asked,
                      const MembersAlone& alone) const {
-    gcv_query query = GCV_QUERY_INIT;
-    query.layers = asked.layers;
-    query.ignore = asked.ignored.data();
-    query.ignore_count = asked.ignored.size();
+    const gcv_query query = query_of(asked);
     const gcv_scene* const scene = changing.scene.get();
     const double* const position = asked.positions.front().data();
     const std::string text = where(changing, asked);
