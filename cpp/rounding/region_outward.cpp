@@ -12,9 +12,11 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
+#include "box.hpp"
 #include "error.hpp"
 #include "exact_indices.hpp"
 #include "region_distance.hpp"
@@ -66,8 +68,9 @@ class SafeRounder {
   SafeRounder(const RegionWithSquare& with_square, Task& task, Tally& tally)
       : with_square_(with_square), task_(task), tally_(tally) {}
 
-  // The rings of the region on the safe side of the exact ones.
-  RoundedRegion run(const RoundedRegion& nearest) {
+  // The rings of the region on the safe side of the exact ones. Nothing if all of a few widths of
+  // the square are too small.
+  std::optional<RoundedRegion> run(const RoundedRegion& nearest) {
     const std::vector<RoundedPolygon> polygons = polygons_of(nearest);
     const Point units = units_in_last_place(nearest.vertices);
     double d = 2 * std::max(units.x, units.y);
@@ -76,11 +79,11 @@ class SafeRounder {
     }
     for (int tries = 0; tries < 6; ++tries) {
       if (std::optional<RoundedRegion> safe = with(nearest, polygons, d)) {
-        return std::move(*safe);
+        return safe;
       }
       d *= 2;
     }
-    throw Error(Status::range, "no region of doubles close to the exact one was found");
+    return std::nullopt;
   }
 
  private:
@@ -157,6 +160,70 @@ void replace_first_ring(const PointVector& ring, const std::vector<std::size_t>&
   }
 }
 
+// A polygon of an exact region by itself.
+struct Island {
+  ExactRegion exact;
+  std::size_t first;  // vertex of the region
+};
+
+std::vector<Island> islands_of(const ExactRegion& region) {
+  std::vector<Island> islands;
+  const ExactRing shared{
+      region.a, region.b, region.shift, {}, region.chains_are_repeated, region.against_edges};
+  for (const RegionPart& part : region.parts) {
+    if (part.kind == PartKind::outer) {
+      islands.push_back({{shared, {}}, part.first});
+    }
+    if (part.is_ring()) {
+      auto& [exact, first] = islands.back();
+      exact.parts.push_back({part.kind, 0, part.first - first, part.size});
+      const auto begin = region.vertices.begin() + static_cast<std::ptrdiff_t>(part.first);
+      exact.vertices.insert(exact.vertices.end(), begin,
+                            begin + static_cast<std::ptrdiff_t>(part.size));
+    }
+  }
+  return islands;
+}
+
+// An island by itself, so that one that is hardly wider than the gaps between doubles takes nothing
+// from the others. Such a one is dropped.
+RoundedRegion island_inward(const ExactRegion& island, const RegionWithSquare& fits_of, Task& task,
+                            Tally& tally) {
+  RoundedRegion nearest = round_to_nearest(island, false, task, tally);
+  if (nearest.parts.empty() || (nearest.displacement == 0 && nearest.parts_dropped == 0)) {
+    return nearest;
+  }
+  if (nearest.parts_dropped > 0) {
+    throw Error(Status::range, "an obstacle inside the region is too small for doubles");
+  }
+  if (auto safe = SafeRounder(fits_of, task, tally).run(nearest)) {
+    return std::move(*safe);
+  }
+  const Box box = box_of(std::span<const Point>(nearest.vertices));
+  RoundedRegion nothing;
+  nothing.error_bound =
+      sum_bound(nearest.error_bound, length_bound(box.x1 - box.x0, box.y1 - box.y0));
+  nothing.parts_dropped = island.parts.size();
+  return nothing;
+}
+
+// Adds an island whose exact vertices begin at `first`.
+void append(RoundedRegion&& island, std::size_t first, RoundedRegion& region) {
+  const Index number = region.parts.empty() ? 0 : region.parts.back().polygon + 1;
+  for (const RegionPart& part : island.parts) {
+    region.parts.push_back(
+        {part.kind, number + part.polygon, region.vertices.size() + part.first, part.size});
+  }
+  region.vertices.insert(region.vertices.end(), island.vertices.begin(), island.vertices.end());
+  for (const std::uint64_t index : island.exact_indices) {
+    region.exact_indices.push_back(first + index);
+  }
+  region.error_bound = std::max(region.error_bound, island.error_bound);
+  region.displacement = std::max(region.displacement, island.displacement);
+  region.vertices_repaired += island.vertices_repaired;
+  region.parts_dropped += island.parts_dropped;
+}
+
 // Segments and points whose vertices are doubles.
 void add_exact_fits(const ExactRegion& exact, Tally& tally, RoundedRegion& region) {
   for (const RegionPart& part : exact.parts) {
@@ -191,8 +258,14 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
   if (nearest.displacement == 0) {
     return nearest;
   }
-  RoundedRegion safe = region.parts.size() > 1 ? SafeRounder(sum_with, task, tally).run(nearest)
-                                               : std::move(nearest);
+  RoundedRegion safe;
+  if (region.parts.size() == 1) {
+    safe = std::move(nearest);
+  } else if (auto grown = SafeRounder(sum_with, task, tally).run(nearest)) {
+    safe = std::move(*grown);
+  } else {
+    throw Error(Status::range, "no region of doubles close to the exact one was found");
+  }
   const std::size_t size = region.parts.front().size;
   ExactRing outer{region.a, region.b, region.shift, {}, region.chains_are_repeated, false};
   outer.vertices.assign(region.vertices.begin(),
@@ -207,16 +280,10 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
 
 RoundedRegion round_region_inward(const ExactRegion& region, const RegionWithSquare& fits_of,
                                   Task& task, Tally& tally) {
-  RoundedRegion nearest = round_to_nearest(region, false, task, tally);
-  if (nearest.displacement == 0 && nearest.parts_dropped == 0) {
-    return nearest;
+  RoundedRegion safe;
+  for (const Island& island : islands_of(region)) {
+    append(island_inward(island.exact, fits_of, task, tally), island.first, safe);
   }
-  if (std::any_of(region.parts.begin(), region.parts.end(),
-                  [](const RegionPart& part) { return part.kind == PartKind::hole; }) &&
-      nearest.parts_dropped > 0) {
-    throw Error(Status::range, "an obstacle inside the region is too small for doubles");
-  }
-  RoundedRegion safe = SafeRounder(fits_of, task, tally).run(nearest);
   add_exact_fits(region, tally, safe);
   return safe;
 }

@@ -226,6 +226,34 @@ static void position_between_doubles(void) {
   gcv_polygon_destroy(container);
 }
 
+/* A room, and a corridor that is wider than the square by the roundings of its vertices. Inward,
+ * the corridor is dropped, and the room stays. */
+static void corridor_of_an_ulp(void) {
+  gcv_polygon *container =
+      POLYGON(-5.444268600082189, 8.124456688601008, 0.5557313999178101, 0.12445668860100756,
+              8.55573139991781, 6.124456688601008, 6.15573139991781, 9.324456688601007,
+              14.15573139991781, 15.324456688601007, 12.355731399917811, 17.72445668860101,
+              4.35573139991781, 11.724456688601007, 2.5557313999178106, 14.124456688601008);
+  gcv_polygon *moving =
+      POLYGON(-1.2442686000821899, 2.5244566886010076, 0.5557313999178101, 0.12445668860100756,
+              2.95573139991781, 1.9244566886010075, 1.1557313999178103, 4.324456688601008);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_stats stats;
+  gcv_region *region;
+  double area = 0;
+  options.rounding = GCV_ROUND_OUTWARD;
+  region = inner_fit(container, moving, &options);
+  CHECK_OK(gcv_region_area(region, &area));
+  CHECK(area > 48.999 && area <= 49);
+  memset(&stats, 0, sizeof stats);
+  stats.struct_size = sizeof stats;
+  CHECK_OK(gcv_region_stats(region, &stats));
+  CHECK(stats.parts_dropped == 1);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(moving);
+  gcv_polygon_destroy(container);
+}
+
 int main(void) {
   in_a_box();
   around_holes();
@@ -237,5 +265,6 @@ int main(void) {
   refused_options();
   roundings();
   position_between_doubles();
+  corridor_of_an_ulp();
   return check_failures != 0;
 }

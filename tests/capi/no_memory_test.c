@@ -10,9 +10,9 @@ static const double xy[] = {0, 0, 4, 4, 2, 3, 0, 4, 1, 2, 2, 2.5, 1, 3}, point[2
 static const double point_pair[4] = {0.5, 0.25, 0.1, 0};
 static const size_t sizes[] = {4, 3};
 static gcv_polygon *polygon, *holed, *fraction, *new_polygon;
-static gcv_outer_face *face, *new_face;
+static gcv_outer_face *face, *face_of_fractions, *new_face;
 static gcv_superset *new_superset;
-static gcv_region *region, *new_region;
+static gcv_region *region, *region_of_fractions, *new_region;
 static char text[256];
 static size_t required;
 
@@ -78,7 +78,7 @@ static gcv_status entrance(void) {
   return status;
 }
 static gcv_status exact_vertex(void) {
-  return gcv_outer_face_exact_vertex(face, 0, text, sizeof text, &required);
+  return gcv_outer_face_exact_vertex(face_of_fractions, 0, text, sizeof text, &required);
 }
 static gcv_status wkt(void) { return gcv_outer_face_wkt(face, text, sizeof text, &required); }
 static gcv_status edge_sources(void) {
@@ -147,7 +147,7 @@ static gcv_status locate(void) {
   return status;
 }
 static gcv_status region_exact_vertex(void) {
-  return gcv_region_exact_vertex(region, 0, text, sizeof text, &required);
+  return gcv_region_exact_vertex(region_of_fractions, 0, text, sizeof text, &required);
 }
 static gcv_status region_wkt(void) { return gcv_region_wkt(region, text, sizeof text, &required); }
 static gcv_status region_fits_wkt(void) {
@@ -224,6 +224,8 @@ int main(void) {
   fraction = POLYGON(0.1, 0, 1, 0.2, 0.3, 1);
   face = sum_of(polygon, polygon);
   CHECK_OK(gcv_minkowski_sum_region(holed, polygon, NULL, &region));
+  face_of_fractions = sum_of(polygon, fraction);
+  CHECK_OK(gcv_minkowski_sum_region(holed, fraction, NULL, &region_of_fractions));
   CHECK_OK(outward_sum_region()); /* polygons keep what they have prepared for sums */
   forget_outputs();
   starve_in_child("gcv_polygon_create", create);
@@ -258,7 +260,9 @@ int main(void) {
   starve_in_child("gcv_region_edge_sources", region_sources);
   starve_in_child("gcv_region_polygon", region_polygon);
   frugal_functions();
+  gcv_region_destroy(region_of_fractions);
   gcv_region_destroy(region);
+  gcv_outer_face_destroy(face_of_fractions);
   gcv_outer_face_destroy(face);
   gcv_polygon_destroy(fraction);
   gcv_polygon_destroy(holed);
