@@ -7,7 +7,7 @@ What is drawn in purple is the library's answer.
 from __future__ import annotations
 
 import gallery_contacts
-from gallery_style import BLUE, INK, STYLE_A, STYLE_B, STYLE_FREE, arrange
+from gallery_style import BLUE, INK, PURPLE, STYLE_A, STYLE_B, STYLE_FREE, arrange
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -37,7 +37,14 @@ def sheet() -> gcv.Scene:
 
 def example() -> Figure:
     figure = Figure()
-    cells = [positions(figure), motion(figure), contacts(figure)]
+    cells = [
+        positions(figure),
+        motion(figure),
+        contacts(figure),
+        free_region(figure),
+        best(figure),
+        way_out(figure),
+    ]
     arrange(figure, cells)
     return figure
 
@@ -83,6 +90,52 @@ def contacts(figure: Figure) -> Axes:
     draw(ax, scene)
     for contact in found:
         gallery_contacts.draw_contact(ax, contact)
+    ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
+    return ax
+
+
+def free_region(figure: Figure) -> Axes:
+    """All free positions of the lower left corner, and the polygon at the end of an exact fit."""
+    scene = sheet()
+    region = scene.free_region(HOUSE)
+    name = f"{len(region.polygons)} polygons, {len(region.segments)} segments"
+    ax = gallery_contacts.cell(figure, "The free region", name, BOX)
+    draw(ax, scene)
+    region.plot(ax, facecolor=PURPLE, edgecolor=PURPLE, alpha=0.3, linewidth=1.2)
+    for segment in region.segments:
+        ax.plot(*zip(*segment), color=PURPLE, linewidth=2)
+    HOUSE.translated(region.segments[0][0]).plot(ax, **STYLE_FREE, alpha=0.5, linewidth=1.2)
+    ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
+    return ax
+
+
+def best(figure: Figure) -> Axes:
+    """The free position furthest to the left, and of these the lowest."""
+    scene = sheet()
+    place = scene.best(HOUSE, (-1, 0))
+    assert place is not None
+    name = f"at ({place[0]:g}, {place[1]:g})"
+    ax = gallery_contacts.cell(figure, "Furthest to the left", name, BOX)
+    draw(ax, scene)
+    HOUSE.translated(place).plot(ax, **STYLE_FREE, alpha=0.8, linewidth=1.2)
+    ax.plot(*place, "o", color=PURPLE, markersize=5)
+    ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
+    return ax
+
+
+def way_out(figure: Figure) -> Axes:
+    """The shortest way out of all overlaps."""
+    scene = sheet()
+    start: Point = (9, 3.5)
+    escape = scene.penetration(HOUSE, start)
+    name = f"depth {escape.depth:.3g}, touching member {escape.id}"
+    ax = gallery_contacts.cell(figure, "A way out", name, BOX)
+    draw(ax, scene)
+    HOUSE.translated(start).plot(ax, **STYLE_B, alpha=0.8, linewidth=0.8)
+    HOUSE.translated(escape.position).plot(ax, **STYLE_FREE, alpha=0.8, linewidth=1.2)
+    gallery_contacts.draw_way(ax, HOUSE, start, escape.position)
+    if escape.contact is not None:
+        gallery_contacts.draw_contact(ax, escape.contact)
     ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
     return ax
 
