@@ -1,0 +1,114 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The polygons of DXF drawings, which ezdxf reads."""
+
+from __future__ import annotations
+
+import io
+import math
+from collections import Counter
+from typing import Any, Optional
+
+from ._coordinates import Points
+from ._named import NamedPolygon, Reading, curve, invalid, package
+from ._nested_rings import Ring, polygons_of_rings
+
+_CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"}
+_POLYLINES = {"LWPOLYLINE", "POLYLINE"}
+_LEAST_LINES = 4
+"""A curve has at least as many lines in its place."""
+_CLOSED = 1e-9
+"""How far apart the ends of a closed curve are at most, as a part of its size."""
+
+
+def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
+    """The polygons of the closed polylines in the model space, blocks resolved.
+
+    A closed polyline inside another one of its layer is a hole in it, and one inside the
+    hole a polygon of its own.
+    """
+    ezdxf = package("ezdxf", "dxf", reading.file)
+    recover = package("ezdxf.recover", "dxf", reading.file)
+    disassemble = package("ezdxf.disassemble", "dxf", reading.file)
+    layers: dict[str, list[Ring]] = {}
+    left_out = Counter[str]()
+    try:
+        document, _ = recover.read(io.BytesIO(data))
+        entities = list(disassemble.recursive_decompose(document.modelspace()))
+    except (ezdxf.DXFError, OSError, ValueError) as error:
+        raise invalid(reading.file, f"DXF: {error}") from None
+    for entity in entities:
+        name = f"{reading.file}: {_name(entity)}"
+        points = _outline(entity, name, reading)
+        if points is None:
+            left_out[entity.dxftype()] += 1
+        else:
+            layers.setdefault(entity.dxf.layer, []).append(Ring(name, points))
+    if left_out:
+        reading.note(", ".join(f"{count} {kind}" for kind, count in left_out.items()))
+    return [polygon for rings in layers.values() for polygon in polygons_of_rings(rings)]
+
+
+def _name(entity: Any) -> str:
+    """What a message calls an entity; those of blocks have no handle."""
+    handle = f" {entity.dxf.handle}" if entity.dxf.handle else ""
+    return f"{entity.dxftype()}{handle} of layer '{entity.dxf.layer}'"
+
+
+def _outline(entity: Any, name: str, reading: Reading) -> Optional[Points]:
+    """The vertices of an entity that is closed; None for others."""
+    kind = entity.dxftype()
+    if kind in _POLYLINES and not _is_mesh(entity):
+        vertices = [*_vertices(entity)]
+        if not entity.is_closed and (len(vertices) < 4 or vertices[0] != vertices[-1]):
+            return None
+        if not getattr(entity, "has_arc", False):
+            return vertices
+    elif kind not in _CURVES:
+        return None
+    if reading.flatten is None:
+        raise curve(name)
+    return _flattened(entity, reading.flatten)
+
+
+def _is_mesh(entity: Any) -> bool:
+    return entity.dxftype() == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)
+
+
+def _vertices(polyline: Any) -> Points:
+    in_world = (
+        polyline.vertices_in_wcs()
+        if polyline.dxftype() == "LWPOLYLINE"
+        else polyline.points_in_wcs()
+    )
+    return [(point.x, point.y) for point in in_world]
+
+
+def _flattened(entity: Any, distance: float) -> Optional[Points]:
+    """Lines within the distance of an entity with curves; None for an open one."""
+    if entity.dxftype() in _POLYLINES:
+        points = _vertices(entity)[:1]
+        for piece in entity.virtual_entities():
+            lines = _lines(piece, distance)
+            # Arcs are counter-clockwise, whichever way the polyline goes.
+            if math.dist(lines[-1], points[-1]) < math.dist(lines[0], points[-1]):
+                lines.reverse()
+            points += lines[1:]
+    else:
+        points = _lines(entity, distance)
+    # Where it ends is computed, and so only near where it begins.
+    size = max(math.dist(point, points[0]) for point in points)
+    if math.dist(points[-1], points[0]) > _CLOSED * size:
+        return None
+    return points[:-1]
+
+
+def _lines(entity: Any, distance: float) -> Points:
+    kind = entity.dxftype()
+    if kind == "LINE":
+        vertices = [entity.dxf.start, entity.dxf.end]
+    elif kind in ("ELLIPSE", "SPLINE"):
+        vertices = list(entity.flattening(distance, _LEAST_LINES))
+    else:
+        vertices = list(entity.flattening(min(distance, entity.dxf.radius / 2)))
+    return [(point.x, point.y) for point in vertices]
