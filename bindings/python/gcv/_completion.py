@@ -56,13 +56,18 @@ def _metavars(option: argparse.Action) -> tuple[str, ...]:
 def _bash(parser: argparse.ArgumentParser) -> str:
     cases = []
     for command, of in subcommands(parser).items():
-        words = _positional_choices(of)
+        numbers, words = [], _positional_choices(of)
+        files = "" if words else "; files=-f"
         for option in _options(of):
             words += option.option_strings
-            if _metavars(option) and "FILE" not in _metavars(option):
-                after = "|".join(f"'{command} {name}'" for name in option.option_strings)
-                cases.append(f"    {after}) words='{' '.join(option.choices or ())}' ;;")
-        cases.append(f"    '{command} '*) words='{' '.join(words)}'; files=-f ;;")
+            after = [f"'{command} {name}'" for name in option.option_strings]
+            if option.choices:
+                cases.append(f"    {'|'.join(after)}) words='{' '.join(option.choices)}' ;;")
+            elif _metavars(option) and "FILE" not in _metavars(option):
+                numbers += after
+        if numbers:
+            cases.append(f"    {'|'.join(numbers)}) words= ;;")
+        cases.append(f"    '{command} '*) words='{' '.join(words)}'{files} ;;")
     return f"""\
 _gcv() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} words='{" ".join(subcommands(parser))}' files=
