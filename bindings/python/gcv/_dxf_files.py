@@ -44,8 +44,7 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
             left_out[entity.dxftype()] += 1
         else:
             layers.setdefault(entity.dxf.layer, []).append(Ring(name, points))
-    if left_out:
-        reading.note(", ".join(f"{count} {kind}" for kind, count in left_out.items()))
+    reading.leave_out(left_out)
     return [polygon for rings in layers.values() for polygon in polygons_of_rings(rings)]
 
 

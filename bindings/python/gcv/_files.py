@@ -31,7 +31,7 @@ def read_polygons(
     file cannot be read.
     """
     name, data = _read(file)
-    reading = Reading(name, flatten, lambda what: note(f"{name}: left out: {what}"))
+    reading = Reading(name, flatten, note)
     polygons = _reader_of(data)(data, reading)
     if not polygons:
         raise invalid(name, "there is no polygon in this file")

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import importlib
+from collections import Counter
 from typing import Any, Callable, NamedTuple, Optional
 
 from ._ffi import INVALID_ARGUMENT, Error, InputError, named
@@ -27,7 +28,13 @@ class Reading(NamedTuple):
     flatten: Optional[float]
     """How far lines may be from the curves that they stand for; None where none may."""
     note: Callable[[str], None]
-    """Tells the user what is left out."""
+    """Told in a sentence of what is left out."""
+
+    def leave_out(self, counts: Counter[str]) -> None:
+        """Say that so many things of these kinds are left out."""
+        found = [f"{count} {kind}" for kind, count in counts.items() if count]
+        if found:
+            self.note(f"{self.file}: left out: {', '.join(found)}")
 
 
 def make(name: str, source: PolygonLike, holes: Optional[list[Any]] = None) -> NamedPolygon:

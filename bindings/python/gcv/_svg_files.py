@@ -19,6 +19,8 @@ from ._nested_rings import Ring, polygons_of_rings
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _NUMBERS = {"Z": 0, "H": 1, "V": 1, "M": 2, "L": 2, "T": 2, "Q": 4, "S": 4, "C": 6, "A": 7}
 """How many numbers each command of path data takes."""
+_LEAST_LINES = 2
+"""A curve has at least as many lines in its place, so that some of its area stays."""
 _NOT_DRAWN = {"marker", "mask", "pattern", "symbol"}
 
 
@@ -38,10 +40,10 @@ def polygons_of_svg(text: bytes, reading: Reading) -> list[NamedPolygon]:
             rings = list(_rings(svgelements, svgelements.Path(element), name, reading))
             rule = element.values.get("fill-rule", "nonzero")
             polygons += polygons_of_rings(rings, nonzero=rule == "nonzero")
+            left_out[kind] += not rings
         elif isinstance(element, (svgelements.Text, svgelements.Image)):
             left_out[kind] += 1
-    if left_out:
-        reading.note(", ".join(f"{count} {kind}" for kind, count in left_out.items()))
+    reading.leave_out(left_out)
     return polygons
 
 
@@ -127,10 +129,10 @@ def _steps(svgelements: Any, segment: Any, distance: float) -> int:
     if isinstance(segment, svgelements.Arc):
         radius, sweep = float(max(segment.rx, segment.ry)), float(segment.sweep)
         angle = 2 * math.acos(max(-1.0, 1 - distance / radius)) if radius > distance else math.pi
-        return max(1, math.ceil(abs(sweep) / angle))
+        return max(_LEAST_LINES, math.ceil(abs(sweep) / angle))
     # A curve of degree n is within n (n - 1) / 8 of the largest second difference of its
     # control points, over the square of the number of lines.
     points = [complex(p.x, p.y) for p in segment if p is not None]
     degree = len(points) - 1
     bend = max(abs(a - 2 * b + c) for a, b, c in zip(points, points[1:], points[2:]))
-    return max(1, math.ceil(math.sqrt(degree * (degree - 1) / 8 * bend / distance)))
+    return max(_LEAST_LINES, math.ceil(math.sqrt(degree * (degree - 1) / 8 * bend / distance)))

@@ -108,7 +108,10 @@ _WITHOUT_AREA = {"Point", "MultiPoint", "LineString", "MultiLineString"}
 def _geometries(source: Any, *, alone: bool) -> Iterator[Any]:
     """The polygons of a source; what is none is given as it is, for whoever reads it."""
     kind = source.get("type") if isinstance(source, Mapping) else None
-    members = source.get(_MEMBERS[kind]) if kind in _MEMBERS else None
+    if not isinstance(kind, str):
+        yield source
+        return
+    members = source.get(_MEMBERS.get(kind))
     if isinstance(members, list):
         for member in members:
             yield from _geometries(member, alone=False)
