@@ -45,10 +45,9 @@ def main(arguments: Optional[list[str]] = None) -> int:
 
 def _with_command(program: argparse.ArgumentParser, words: list[str]) -> list[str]:
     """The words of the command line, with sum before those that begin with a file or an option."""
-    first = words[0] if words else "--help"
-    if first in subcommands(program) or first in ("-h", "--help", "--version"):
+    if not words or words[0] in (*subcommands(program), "-h", "--help", "--version"):
         return words
-    return ["sum", *words] if first.startswith("-") or Path(first).exists() else words
+    return ["sum", *words] if words[0].startswith("-") or Path(words[0]).exists() else words
 
 
 def _run(options: argparse.Namespace) -> str:

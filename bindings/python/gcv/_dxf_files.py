@@ -27,19 +27,19 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
     A closed polyline inside another one of its layer is a hole in it, and one inside the
     hole a polygon of its own.
     """
-    ezdxf = package("ezdxf", "dxf", reading.file)
     recover = package("ezdxf.recover", "dxf", reading.file)
     disassemble = package("ezdxf.disassemble", "dxf", reading.file)
+    path = package("ezdxf.path", "dxf", reading.file)
     layers: dict[str, list[Ring]] = {}
     left_out = Counter[str]()
     try:
         document, _ = recover.read(io.BytesIO(data))
         entities = list(disassemble.recursive_decompose(document.modelspace()))
-    except (ezdxf.DXFError, OSError, ValueError) as error:
+    except Exception as error:  # whatever a damaged drawing leads to
         raise invalid(reading.file, f"DXF: {error}") from None
     for entity in entities:
         name = f"{reading.file}: {_name(entity)}"
-        points = _outline(entity, name, reading)
+        points = _outline(path.make_path, entity, name, reading)
         if points is None:
             left_out[entity.dxftype()] += 1
         else:
@@ -54,52 +54,42 @@ def _name(entity: Any) -> str:
     return f"{entity.dxftype()}{handle} of layer '{entity.dxf.layer}'"
 
 
-def _outline(entity: Any, name: str, reading: Reading) -> Optional[Points]:
+def _outline(make_path: Any, entity: Any, name: str, reading: Reading) -> Optional[Points]:
     """The vertices of an entity that is closed; None for others."""
     kind = entity.dxftype()
     if kind in _POLYLINES and not _is_mesh(entity):
-        vertices = [*_vertices(entity)]
-        if not entity.is_closed and (len(vertices) < 4 or vertices[0] != vertices[-1]):
+        path = make_path(entity)
+        if not path.is_closed:
             return None
-        if not getattr(entity, "has_arc", False):
-            return vertices
+        if not path.has_curves:
+            return _points(path.control_vertices())
     elif kind not in _CURVES:
         return None
     if reading.flatten is None:
         raise curve(name)
-    return _flattened(entity, reading.flatten)
+    points = (
+        _flattened_polyline(path.start, entity, reading.flatten)
+        if kind in _POLYLINES
+        else _lines(entity, reading.flatten)
+    )
+    # Where it ends is computed, and so only near where it begins.
+    size = max(math.dist(point, points[0]) for point in points)
+    return points[:-1] if math.dist(points[-1], points[0]) <= _CLOSED * size else None
 
 
 def _is_mesh(entity: Any) -> bool:
     return entity.dxftype() == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)
 
 
-def _vertices(polyline: Any) -> Points:
-    in_world = (
-        polyline.vertices_in_wcs()
-        if polyline.dxftype() == "LWPOLYLINE"
-        else polyline.points_in_wcs()
-    )
-    return [(point.x, point.y) for point in in_world]
-
-
-def _flattened(entity: Any, distance: float) -> Optional[Points]:
-    """Lines within the distance of an entity with curves; None for an open one."""
-    if entity.dxftype() in _POLYLINES:
-        points = _vertices(entity)[:1]
-        for piece in entity.virtual_entities():
-            lines = _lines(piece, distance)
-            # Arcs are counter-clockwise, whichever way the polyline goes.
-            if math.dist(lines[-1], points[-1]) < math.dist(lines[0], points[-1]):
-                lines.reverse()
-            points += lines[1:]
-    else:
-        points = _lines(entity, distance)
-    # Where it ends is computed, and so only near where it begins.
-    size = max(math.dist(point, points[0]) for point in points)
-    if math.dist(points[-1], points[0]) > _CLOSED * size:
-        return None
-    return points[:-1]
+def _flattened_polyline(start: Any, polyline: Any, distance: float) -> Points:
+    points = _points([start])
+    for piece in polyline.virtual_entities():
+        lines = _lines(piece, distance)
+        # Arcs are counter-clockwise, whichever way the polyline goes.
+        if math.dist(lines[-1], points[-1]) < math.dist(lines[0], points[-1]):
+            lines.reverse()
+        points += lines[1:]
+    return points
 
 
 def _lines(entity: Any, distance: float) -> Points:
@@ -110,4 +100,8 @@ def _lines(entity: Any, distance: float) -> Points:
         vertices = list(entity.flattening(distance, _LEAST_LINES))
     else:
         vertices = list(entity.flattening(min(distance, entity.dxf.radius / 2)))
-    return [(point.x, point.y) for point in vertices]
+    return _points(vertices)
+
+
+def _points(vertices: Any) -> Points:
+    return [(vertex.x, vertex.y) for vertex in vertices]

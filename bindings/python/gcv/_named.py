@@ -56,11 +56,12 @@ def curve(name: str) -> InputError:
 
 
 def package(module: str, extra: str, file: str) -> Any:
-    """The package that reads files of this kind, which is installed as an extra."""
+    """A module of the package that reads files of this kind, which is an extra."""
+    name = module.partition(".")[0]
     try:
+        importlib.import_module(name)
         return importlib.import_module(module)
     except ImportError:
-        name = module.partition(".")[0]
         raise invalid(
             file, f"reading {extra.upper()} takes the package {name}: pip install 'gcv[{extra}]'"
         ) from None

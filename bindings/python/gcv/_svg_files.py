@@ -9,7 +9,7 @@ import math
 import re
 from collections import Counter
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, Optional
 from xml.etree import ElementTree
 
 from ._coordinates import Points
@@ -35,8 +35,7 @@ def polygons_of_svg(text: bytes, reading: Reading) -> list[NamedPolygon]:
     for element in _elements(svgelements, text, reading.file):
         kind = element.values.get("tag", "")
         if isinstance(element, svgelements.Shape):
-            name = f"{reading.file}: {kind}" + (f" '{element.id}'" if element.id else "")
-            _check_data(element.values, name)
+            name = _name(reading.file, kind, element.id)
             rings = list(_rings(svgelements, svgelements.Path(element), name, reading))
             rule = element.values.get("fill-rule", "nonzero")
             polygons += polygons_of_rings(rings, nonzero=rule == "nonzero")
@@ -50,34 +49,51 @@ def polygons_of_svg(text: bytes, reading: Reading) -> list[NamedPolygon]:
 def _elements(svgelements: Any, text: bytes, file: str) -> list[Any]:
     try:
         root = ElementTree.fromstring(text)
-        # The units of the drawing, and not those of the page that it is shown on.
-        for name in ("width", "height", "viewBox"):
-            root.attrib.pop(name, None)
-        _hide_what_is_not_drawn(root)
+    except (ElementTree.ParseError, ValueError) as error:
+        raise invalid(file, f"SVG: {error}") from None
+    # The units of the drawing, and not those of the page that it is shown on.
+    for name in ("width", "height", "viewBox"):
+        root.attrib.pop(name, None)
+    for element in list(root.iter()):
+        _check_data(element, file)
+        _hide_what_is_not_drawn(element)
+    try:
         drawing = svgelements.SVG.parse(io.BytesIO(ElementTree.tostring(root)), reify=True)
         return list(drawing.elements())
-    except (ElementTree.ParseError, ValueError, RecursionError) as error:
+    except Exception as error:  # whatever a damaged drawing leads to
         raise invalid(file, f"SVG: {error}") from None
 
 
-def _hide_what_is_not_drawn(root: ElementTree.Element) -> None:
+def _name(file: str, kind: str, identifier: Optional[str]) -> str:
+    """What a message calls an element."""
+    return f"{file}: {kind} '{identifier}'" if identifier else f"{file}: {kind}"
+
+
+def _tag(element: ElementTree.Element) -> tuple[str, str]:
+    """The name space of an element and its kind."""
+    space, brace, kind = str(element.tag).rpartition("}")
+    return space + brace, kind
+
+
+def _hide_what_is_not_drawn(element: ElementTree.Element) -> None:
     """Put symbols and their like among the definitions, which are drawn by use alone."""
-    for parent in list(root.iter()):
-        for k, child in enumerate(parent):
-            space, _, tag = str(child.tag).rpartition("}")
-            if tag in _NOT_DRAWN:
-                parent[k] = ElementTree.Element(f"{space}}}defs" if space else "defs")
-                parent[k].append(child)
+    for k, child in enumerate(element):
+        space, kind = _tag(child)
+        if kind in _NOT_DRAWN:
+            element[k] = ElementTree.Element(f"{space}defs")
+            element[k].append(child)
 
 
-def _check_data(values: dict[str, Any], name: str) -> None:
+def _check_data(element: ElementTree.Element, file: str) -> None:
     """Raise InputError for path data and points that are not whole.
 
     Programs that draw them stop there without a word.
     """
-    if values.get("tag") == "path":
-        _check_path_data(values.get("d") or "", name)
-    elif not _is_numbers(values.get("points") or "", 2):
+    _, kind = _tag(element)
+    name = _name(file, kind, element.get("id"))
+    if kind == "path":
+        _check_path_data(element.get("d", ""), name)
+    elif kind in ("polygon", "polyline") and not _is_numbers(element.get("points", ""), 2):
         raise invalid(name, "the points are not pairs of numbers")
 
 
