@@ -10,15 +10,15 @@ from collections import Counter
 from typing import Any, Optional
 
 from ._coordinates import Points
-from ._named import NamedPolygon, Reading, curve, invalid, package
+from ._named import NamedPolygon, Reading, curve, invalid, package, too_fine
 from ._nested_rings import Ring, polygons_of_rings
 
-_CURVES = {"ARC", "CIRCLE", "ELLIPSE", "SPLINE"}
 _POLYLINES = {"LWPOLYLINE", "POLYLINE"}
+_CLOSED_KINDS = {*_POLYLINES, "CIRCLE", "ELLIPSE", "SPLINE"}
 _LEAST_LINES = 4
 """A curve has at least as many lines in its place."""
-_CLOSED = 1e-9
-"""How far apart the ends of a closed curve are at most, as a part of its size."""
+_FINEST = 1e-9
+"""How near they may be at most, as a part of the size of the curve."""
 
 
 def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
@@ -57,32 +57,33 @@ def _name(entity: Any) -> str:
 def _outline(make_path: Any, entity: Any, name: str, reading: Reading) -> Optional[Points]:
     """The vertices of an entity that is closed; None for others."""
     kind = entity.dxftype()
-    if kind in _POLYLINES and not _is_mesh(entity):
-        path = make_path(entity)
-        if not path.is_closed:
-            return None
-        if not path.has_curves:
-            return _points(path.control_vertices())
-    elif kind not in _CURVES:
+    if kind not in _CLOSED_KINDS or _is_mesh(entity):
         return None
+    path = make_path(entity)
+    if not path.is_closed:
+        return None
+    controls = _points(path.control_vertices())
+    if not path.has_curves:
+        return controls
     if reading.flatten is None:
         raise curve(name)
-    points = (
-        _flattened_polyline(path.start, entity, reading.flatten)
-        if kind in _POLYLINES
-        else _lines(entity, reading.flatten)
-    )
-    # Where it ends is computed, and so only near where it begins.
-    size = max(math.dist(point, points[0]) for point in points)
-    return points[:-1] if math.dist(points[-1], points[0]) <= _CLOSED * size else None
+    size = max(math.dist(point, controls[0]) for point in controls)
+    if reading.flatten < _FINEST * size:
+        raise too_fine(name)
+    if kind in _POLYLINES:
+        points = _flattened_polyline(controls[0], entity, reading.flatten)
+    else:
+        points = _lines(entity, reading.flatten)
+    # The last point is computed, and only near the first one.
+    return points[:-1]
 
 
 def _is_mesh(entity: Any) -> bool:
     return entity.dxftype() == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)
 
 
-def _flattened_polyline(start: Any, polyline: Any, distance: float) -> Points:
-    points = _points([start])
+def _flattened_polyline(start: tuple[float, float], polyline: Any, distance: float) -> Points:
+    points = [start]
     for piece in polyline.virtual_entities():
         lines = _lines(piece, distance)
         # Arcs are counter-clockwise, whichever way the polyline goes.

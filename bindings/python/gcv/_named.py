@@ -55,6 +55,11 @@ def curve(name: str) -> InputError:
     return invalid(name, "this is a curve; --flatten DISTANCE takes lines for it")
 
 
+def too_fine(name: str) -> InputError:
+    """The error for a curve that would take far too many lines."""
+    return invalid(name, "lines as near to this curve as --flatten says are too many")
+
+
 def package(module: str, extra: str, file: str) -> Any:
     """A module of the package that reads files of this kind, which is an extra."""
     name = module.partition(".")[0]

@@ -13,7 +13,7 @@ from typing import Any, Optional
 from xml.etree import ElementTree
 
 from ._coordinates import Points
-from ._named import NamedPolygon, Reading, curve, invalid, package
+from ._named import NamedPolygon, Reading, curve, invalid, package, too_fine
 from ._nested_rings import Ring, polygons_of_rings
 
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -21,6 +21,7 @@ _NUMBERS = {"Z": 0, "H": 1, "V": 1, "M": 2, "L": 2, "T": 2, "Q": 4, "S": 4, "C":
 """How many numbers each command of path data takes."""
 _LEAST_LINES = 2
 """A curve has at least as many lines in its place, so that some of its area stays."""
+_MOST_LINES = 1_000_000
 _NOT_DRAWN = {"marker", "mask", "pattern", "symbol"}
 
 
@@ -128,7 +129,7 @@ def _rings(svgelements: Any, path: Any, name: str, reading: Reading) -> Iterator
             elif reading.flatten is None:
                 raise curve(name)
             else:
-                steps = _steps(svgelements, segment, reading.flatten)
+                steps = _steps(svgelements, segment, name, reading.flatten)
             points += [_point(segment.point(step / steps)) for step in range(1, steps)]
             if segment.end is not None:
                 points.append(_point(segment.end))
@@ -140,15 +141,19 @@ def _point(point: Any) -> tuple[float, float]:
     return float(point.x), 0.0 - float(point.y)
 
 
-def _steps(svgelements: Any, segment: Any, distance: float) -> int:
+def _steps(svgelements: Any, segment: Any, name: str, distance: float) -> int:
     """How many lines are within the distance of a segment."""
     if isinstance(segment, svgelements.Arc):
         radius, sweep = float(max(segment.rx, segment.ry)), float(segment.sweep)
-        angle = 2 * math.acos(max(-1.0, 1 - distance / radius)) if radius > distance else math.pi
-        return max(_LEAST_LINES, math.ceil(abs(sweep) / angle))
-    # A curve of degree n is within n (n - 1) / 8 of the largest second difference of its
-    # control points, over the square of the number of lines.
-    points = [complex(p.x, p.y) for p in segment if p is not None]
-    degree = len(points) - 1
-    bend = max(abs(a - 2 * b + c) for a, b, c in zip(points, points[1:], points[2:]))
-    return max(_LEAST_LINES, math.ceil(math.sqrt(degree * (degree - 1) / 8 * bend / distance)))
+        angle = 4 * math.asin(math.sqrt(min(distance / radius, 1) / 2)) if radius > 0 else math.pi
+        lines = abs(sweep) / angle
+    else:
+        # A curve of degree n is within n (n - 1) / 8 of the largest second difference of its
+        # control points, over the square of the number of lines.
+        points = [complex(p.x, p.y) for p in segment if p is not None]
+        degree = len(points) - 1
+        bend = max(abs(a - 2 * b + c) for a, b, c in zip(points, points[1:], points[2:]))
+        lines = math.sqrt(degree * (degree - 1) / 8 * (bend / distance))
+    if lines > _MOST_LINES:
+        raise too_fine(name)
+    return max(_LEAST_LINES, math.ceil(lines))

@@ -258,6 +258,11 @@ class TestSvg:
         (polygon,) = read(tmp_path, svg(body), "--flatten", str(distance))
         check_disc(polygon, 10, distance)
 
+    @pytest.mark.parametrize("path", ["A10 10 0 0 0 10 0z", "Q5 5 10 0z"])
+    def test_too_fine(self, tmp_path: Path, path: str) -> None:
+        text = svg(f'<path d="M-10 0{path}"/>')
+        assert "are too many" in error(tmp_path, text, "--flatten", "1e-300")
+
     def test_flattened_curves(self, tmp_path: Path) -> None:
         body = '<path d="M0 0Q5-10 10 0z"/><path d="M0 0C0-10 10-10 10 0S20 10 0 10z"/>'
         parabola, _ = read(tmp_path, svg(body), "--flatten", "0.001")
@@ -338,6 +343,10 @@ class TestDxf:
         add(drawing.modelspace())
         (polygon,) = read(tmp_path, dxf(drawing), "--flatten", str(distance))
         check_disc(polygon, 10, distance)
+
+    def test_too_fine(self, tmp_path: Path, drawing: Any) -> None:
+        drawing.modelspace().add_circle((0, 0), 10)
+        assert "are too many" in error(tmp_path, dxf(drawing), "--flatten", "1e-300")
 
     def test_what_is_left_out(self, tmp_path: Path, drawing: Any) -> None:
         space = drawing.modelspace()
