@@ -23,8 +23,8 @@ using RegionWithSquare = std::function<ExactRegion(const std::shared_ptr<const P
 RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf& outer_face_of,
                                    const RegionWithSquare& sum_with, Task& task, Tally& tally);
 
-// The same inward. An island that is too thin for doubles is dropped. Throws Error: range, too, if an
-// obstacle inside an island is too small for doubles.
+// The same inward. An island that is too thin for doubles is dropped. Throws Error: range, too, if
+// an obstacle inside an island is too small for doubles.
 RoundedRegion round_region_inward(const ExactRegion& region, const RegionWithSquare& fits_of,
                                   Task& task, Tally& tally);
 
