@@ -7,7 +7,6 @@
 #include <boost/geometry/geometries/segment.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -21,6 +20,7 @@ namespace {
 namespace bg = boost::geometry;
 using TreePoint = bg::model::d2::point_xy<double>;
 using TreeEdge = std::pair<bg::model::segment<TreePoint>, std::size_t>;
+using Tree = bg::index::rtree<TreeEdge, bg::index::quadratic<16>>;
 
 // Points near the origin and of the size 1, so that distances neither overflow nor underflow.
 class Scale {
@@ -39,6 +39,18 @@ class Scale {
   double size_;
 };
 
+// The smallest of the indices of the closest edges. The order of equally close ones in the tree is
+// that of the standard library's sorting.
+std::size_t first_of_closest(const Tree& tree, const TreePoint& p) {
+  auto edge = tree.qbegin(bg::index::nearest(p, static_cast<unsigned>(tree.size())));
+  const double distance = bg::comparable_distance(p, edge->first);
+  std::size_t first = edge->second;
+  for (++edge; edge != tree.qend() && bg::comparable_distance(p, edge->first) == distance; ++edge) {
+    first = std::min(first, edge->second);
+  }
+  return first;
+}
+
 }  // namespace
 
 std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointVector& points) {
@@ -49,7 +61,7 @@ std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointV
   std::sort(by_place.begin(), by_place.end(), [&](std::size_t i, std::size_t j) {
     return ring[i] == ring[j] ? i < j : lexicographically_less(ring[i], ring[j]);
   });
-  bg::index::rtree<TreeEdge, bg::index::quadratic<16>> tree;
+  Tree tree;
   const Scale scale(box_of(ring));
   std::vector<std::size_t> indices;
   indices.reserve(points.size());
@@ -66,11 +78,9 @@ std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointV
       for (std::size_t k = 0; k < ring.size(); ++k) {
         edges.push_back({{scale(ring[k]), scale(ring[cyclic_next(k, ring.size())])}, k});
       }
-      tree = decltype(tree)(edges.begin(), edges.end());
+      tree = Tree(edges.begin(), edges.end());
     }
-    std::vector<TreeEdge> closest;
-    tree.query(bg::index::nearest(scale(p), 1), std::back_inserter(closest));
-    indices.push_back(closest.front().second);
+    indices.push_back(first_of_closest(tree, scale(p)));
   }
   return indices;
 }
