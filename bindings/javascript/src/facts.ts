@@ -102,8 +102,8 @@ export function boundsOf(
   }
   const box: [number, number, number, number] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let k = 0; k < coordinates.length; ++k) {
-    box[k % 2] = Math.min(box[k % 2]!, coordinates[k]!);
-    box[2 + (k % 2)] = Math.max(box[2 + (k % 2)]!, coordinates[k]!);
+    box[k % 2] = Math.min(box[k % 2], coordinates[k]);
+    box[2 + (k % 2)] = Math.max(box[2 + (k % 2)], coordinates[k]);
   }
   return box;
 }
@@ -112,6 +112,6 @@ export function boundsOf(
 export function areEqual(p: readonly ExactPoint[], q: readonly ExactPoint[]): boolean {
   const same = (f: Fraction, g: Fraction) =>
     f.numerator === g.numerator && f.denominator === g.denominator;
-  return p.length === q.length && p.every(([x, y], k) => same(x, q[k]![0]) && same(y, q[k]![1]));
+  return p.length === q.length && p.every(([x, y], k) => same(x, q[k][0]) && same(y, q[k][1]));
 }
 

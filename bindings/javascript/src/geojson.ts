@@ -44,15 +44,15 @@ export type GeoJSONSource =
 /** The pairs of x0, y0, x1, y1, ... */
 export function pairsOf(coordinates: ArrayLike<number>): [number, number][] {
   return Array.from({ length: coordinates.length / 2 }, (_, k) => [
-    coordinates[2 * k]!,
-    coordinates[2 * k + 1]!,
+    coordinates[2 * k],
+    coordinates[2 * k + 1],
   ]);
 }
 
 /** A ring as GeoJSON has it: closed. */
 export function closedRing(ring: Float64Array): [number, number][] {
   const pairs = pairsOf(ring);
-  return [...pairs, [ring[0]!, ring[1]!]];
+  return [...pairs, [ring[0], ring[1]]];
 }
 
 /** Rings in brackets, as Well-Known Text has them. Every number has the fewest digits. */

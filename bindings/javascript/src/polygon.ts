@@ -99,7 +99,7 @@ export class Polygon extends Shape {
 
   /** The outer ring. */
   get vertices(): Float64Array {
-    return this.rings[0]!;
+    return this.rings[0];
   }
 
   /** The rings without the outer one. */

@@ -54,7 +54,7 @@ function madeOfRings(rings: Ring[]): Made {
     return new Made(
       pointerOf((out) =>
         rings.length === 1
-          ? library.gcv_polygon_create(vertices, rings[0]!.length / 2, 0, out)
+          ? library.gcv_polygon_create(vertices, rings[0].length / 2, 0, out)
           : library.gcv_polygon_create_rings(vertices, sizes, rings.length, 0, out),
       ),
     );
@@ -133,7 +133,7 @@ function ringOfHole(source: PolygonLike, index: number): Ring {
   if (rings.length !== 1) {
     throw invalid(`hole ${index} has ${rings.length} rings, not one`);
   }
-  return rings[0]!;
+  return rings[0];
 }
 
 function madeOfWKT(text: string): Made {

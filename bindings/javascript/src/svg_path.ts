@@ -47,12 +47,12 @@ export function ringsOfSVGPath(text: string): number[][] {
     return Number(digits);
   }
   function add(): void {
-    ring ??= rings[rings.push([]) - 1]!;
+    ring ??= rings[rings.push([]) - 1];
     ring.push(x, y);
   }
 
   for (skipSpace(); at < text.length; skipSpace()) {
-    const command = text[at]!;
+    const command = text[at];
     const absolute = command.toUpperCase();
     if (rings.length === 0 ? absolute !== "M" : !"MLHVZ".includes(absolute)) {
       fail(rings.length === 0 ? "M" : "M, L, H, V or Z, for curves are no polygons");
@@ -60,7 +60,7 @@ export function ringsOfSVGPath(text: string): number[][] {
     ++at;
     if (absolute === "Z") {
       const last = rings.at(-1)!;
-      [x, y] = [last[0]!, last[1]!];
+      [x, y] = [last[0], last[1]];
       ring = undefined;
       continue;
     }
