@@ -1,7 +1,7 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-/// <reference lib="esnext.disposable" />
+/// <reference lib="esnext.disposable" preserve="true" />
 //
 // What all objects of the library have in common.
 
@@ -11,7 +11,7 @@ import { library } from "./library.js";
 /** The name of the function that ends an object. */
 type Destroy = `gcv_${string}_destroy`;
 
-/** An object of the library that was just made: whoever takes it ends it. @internal */
+/** An object of the library that was just made: whoever takes it ends it. */
 export class Made {
   constructor(readonly pointer: number) {}
 }
@@ -31,7 +31,6 @@ export abstract class Handle {
   readonly #destroy: Destroy;
   readonly #facts = new Map<string, unknown>();
 
-  /** @internal */
   protected constructor(made: Made, destroy: Destroy) {
     this.#pointer = made.pointer;
     this.#destroy = destroy;
