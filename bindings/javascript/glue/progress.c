@@ -17,6 +17,12 @@ static int32_t progress(void *context, uint64_t done, uint64_t estimate) {
 }
 
 void gcv_js_set_progress(gcv_options *options);
-void gcv_js_set_progress(gcv_options *options) {
-  options->progress = progress;
-}
+
+/* The layouts that src/records.ts, options.ts, facts.ts, sums.ts and scene.ts read and write. */
+_Static_assert(sizeof(gcv_options) == 40 && sizeof(gcv_query) == 16 && sizeof(gcv_stats) == 64, "");
+_Static_assert(sizeof(gcv_edge_source) == 12 && sizeof(gcv_superset_edge) == 48, "");
+_Static_assert(sizeof(gcv_region_part) == 16 && sizeof(gcv_contact) == 88, "");
+_Static_assert(sizeof(gcv_separation) == 104 && sizeof(gcv_escape) == 136, "");
+_Static_assert(sizeof(gcv_impact) == 120 && sizeof(gcv_pair) == 24, "");
+
+void gcv_js_set_progress(gcv_options *options) { options->progress = progress; }
