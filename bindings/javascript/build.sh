@@ -19,6 +19,7 @@ build_module() {
 }
 
 mkdir -p dist
+cp ../../LICENSE .  # npm packs no links
 [ -x node_modules/.bin/tsc ] || npm ci
 npx tsc -p .
 build_module gcv-simd
