@@ -4,13 +4,25 @@
 // This saves a pass over memory, which shows in the times of sums of small polygons.
 #pragma once
 
-#include <boost/core/noinit_adaptor.hpp>
 #include <memory>
+#include <new>
 #include <vector>
 
 namespace gcv {
 
 template <class T>
-using Buffer = std::vector<T, boost::noinit_adaptor<std::allocator<T>>>;
+struct UnwrittenAllocator : std::allocator<T> {
+  UnwrittenAllocator() = default;
+  template <class U>
+  explicit(false) UnwrittenAllocator(const UnwrittenAllocator<U>& /*other*/) noexcept {}
+
+  template <class U>
+  void construct(U* element) {
+    ::new (static_cast<void*>(element)) U;
+  }
+};
+
+template <class T>
+using Buffer = std::vector<T, UnwrittenAllocator<T>>;
 
 }  // namespace gcv

@@ -1,0 +1,97 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// The errors of the library.
+
+/** The statuses of the library. Their values never change. */
+export const Status = {
+  NULL_ARGUMENT: 1,
+  INVALID_ARGUMENT: 2,
+  NOT_FINITE: 3,
+  DEGENERATE: 4,
+  NOT_SIMPLE: 5,
+  BUFFER_TOO_SMALL: 6,
+  RANGE: 7,
+  PARSE: 8,
+  NO_MEMORY: 9,
+  CANCELLED: 11,
+  INTERNAL: 100,
+} as const;
+
+/** A call that failed. The message says why. */
+export class GcvError extends Error {
+  /** One of Status. */
+  readonly status: number;
+
+  constructor(status: number, message: string) {
+    super(message);
+    this.status = status;
+  }
+
+  override get name(): string {
+    return this.constructor.name;
+  }
+
+  /** The name of the status, such as "GCV_ERR_NOT_SIMPLE". */
+  get statusName(): string {
+    const found = Object.entries(Status).find(([, value]) => value === this.status);
+    return `GCV_ERR_${found?.[0] ?? "UNKNOWN"}`;
+  }
+}
+
+/** A failure that the input is to blame for: no polygon, not finite, or not what it should be. */
+export class InputError extends GcvError {}
+
+/** A computation that the progress function ended. */
+export class CancelledError extends GcvError {}
+
+const inputStatuses: number[] = [
+  Status.INVALID_ARGUMENT,
+  Status.NOT_FINITE,
+  Status.DEGENERATE,
+  Status.NOT_SIMPLE,
+  Status.PARSE,
+];
+
+/** The error for a status. @internal */
+export function errorOf(status: number, message: string): GcvError {
+  if (inputStatuses.includes(status)) {
+    return new InputError(status, message);
+  }
+  return status === Status.CANCELLED
+    ? new CancelledError(status, message)
+    : new GcvError(status, message);
+}
+
+/** The error for an argument that is not what it should be. @internal */
+export function unfit(name: string, value: unknown, what: string): InputError {
+  return new InputError(Status.INVALID_ARGUMENT, `${name}: ${short(value)} is not ${what}`);
+}
+
+/** The same error, about the polygon of that name. @internal */
+export function named(error: GcvError, name: string): GcvError {
+  return errorOf(error.status, `${name}: ${error.message.replace(/^polygon: /, "")}`);
+}
+
+/** What make() gives, or its error. @internal */
+export function caught<T>(make: () => T): T | GcvError {
+  try {
+    return make();
+  } catch (error) {
+    if (error instanceof GcvError) {
+      return error;
+    }
+    throw error;
+  }
+}
+
+function short(value: unknown): string {
+  let text: string | undefined;
+  try {
+    text = typeof value === "number" ? String(value) : JSON.stringify(value);
+  } catch {
+    // A cycle or a BigInt.
+  }
+  text ??= String(value);
+  return text.length > 60 ? `${text.slice(0, 57)}...` : text;
+}

@@ -1,0 +1,65 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Geometries of GeoJSON and Well-Known Text: the types, and what is made of rings.
+
+/** Two coordinates; further ones are left out. */
+export type Position = number[];
+
+export interface GeoJSONPolygon {
+  type: "Polygon";
+  coordinates: Position[][];
+}
+
+export interface GeoJSONMultiPolygon {
+  type: "MultiPolygon";
+  coordinates: Position[][][];
+}
+
+export interface GeoJSONLineString {
+  type: "LineString";
+  coordinates: Position[];
+}
+
+export interface GeoJSONPoint {
+  type: "Point";
+  coordinates: Position;
+}
+
+export interface GeoJSONGeometryCollection {
+  type: "GeometryCollection";
+  geometries: (GeoJSONPolygon | GeoJSONLineString | GeoJSONPoint)[];
+}
+
+/** Whatever of GeoJSON has one polygon. */
+export type GeoJSONSource =
+  | { readonly type: "Polygon"; readonly coordinates: readonly (readonly (readonly number[])[])[] }
+  | {
+      readonly type: "MultiPolygon";
+      readonly coordinates: readonly (readonly (readonly (readonly number[])[])[])[];
+    }
+  | { readonly type: "Feature"; readonly geometry: GeoJSONSource | null }
+  | { readonly type: "FeatureCollection"; readonly features: readonly GeoJSONSource[] };
+
+/** The pairs of x0, y0, x1, y1, ... */
+export function pairsOf(coordinates: ArrayLike<number>): [number, number][] {
+  return Array.from({ length: coordinates.length / 2 }, (_, k) => [
+    coordinates[2 * k],
+    coordinates[2 * k + 1],
+  ]);
+}
+
+/** A ring as GeoJSON has it: closed. */
+export function closedRing(ring: Float64Array): [number, number][] {
+  const pairs = pairsOf(ring);
+  return [...pairs, [ring[0], ring[1]]];
+}
+
+/** Rings in brackets, as Well-Known Text has them. Every number has the fewest digits. */
+export function wktOfRings(rings: Float64Array[]): string {
+  return `(${rings.map((ring) => `(${wktOfPairs(closedRing(ring))})`).join(", ")})`;
+}
+
+export function wktOfPairs(pairs: [number, number][]): string {
+  return pairs.map(([x, y]) => `${x} ${y}`).join(", ");
+}

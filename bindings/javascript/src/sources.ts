@@ -1,0 +1,200 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Whatever a polygon can be made from.
+
+import { caught, errorOf, GcvError, Status, unfit } from "./errors.js";
+import type { GeoJSONSource } from "./geojson.js";
+import { Made } from "./handle.js";
+import { library, view } from "./library.js";
+import { check, coordinatesOf as coordinatesFrom, pointerOf, structsAt, withScratch } from "./memory.js";
+import { coordinatesOf, type Points } from "./points.js";
+import { Shape } from "./shape.js";
+import { isSVGPath, ringsOfSVGPath } from "./svg_path.js";
+import { asPlainPolygon } from "./wkt_source.js";
+
+/**
+ * Whatever a polygon can be made from: the points of a ring; GeoJSON, as an object or as text;
+ * Well-Known Text; a path of SVG with straight segments, whose first subpath is the outer ring; a
+ * polygon; an outer face; a region of one polygon and nothing else.
+ */
+export type PolygonLike = Points | GeoJSONSource | string | Shape;
+
+type Ring = ArrayLike<number>;
+
+/** The polygon of a source, with more holes. Messages begin with "polygon: ". */
+export function madeOf(source: PolygonLike, holes: readonly PolygonLike[] = []): Made {
+  const read = ringsOrPolygon(source);
+  if (read instanceof Made && holes.length === 0) {
+    return read;
+  }
+  return madeOfRings([...ringsOf(read), ...holes.map(ringOfHole)]);
+}
+
+/** The polygon of each source, or its error. Those of one ring are made at once. */
+export function madeOfMany(sources: readonly PolygonLike[]): (Made | GcvError)[] {
+  const read = sources.map((source) => caught(() => ringsOrPolygon(source)));
+  const isSingle = (one: Ring[] | Made | GcvError): one is [Ring] =>
+    Array.isArray(one) && one.length === 1;
+  const pointers = pointersOf(read.filter(isSingle).map(([ring]) => ring));
+  return read.map((one) => {
+    const pointer = isSingle(one) ? pointers.shift()! : 0;
+    if (pointer !== 0) {
+      return new Made(pointer);
+    }
+    // Of a ring without a polygon, this says why.
+    return Array.isArray(one) ? caught(() => madeOfRings(one)) : one;
+  });
+}
+
+function madeOfRings(rings: Ring[]): Made {
+  return withScratch((scratch) => {
+    const vertices = scratch.doubles(joined(rings));
+    const sizes = scratch.words(rings.map((ring) => ring.length / 2));
+    return new Made(
+      pointerOf((out) =>
+        rings.length === 1
+          ? library.gcv_polygon_create(vertices, rings[0].length / 2, 0, out)
+          : library.gcv_polygon_create_rings(vertices, sizes, rings.length, 0, out),
+      ),
+    );
+  });
+}
+
+/** The polygons of rings, 0 where there is none. */
+function pointersOf(rings: Ring[]): number[] {
+  return withScratch((scratch) => {
+    const count = rings.length;
+    const vertices = scratch.doubles(joined(rings));
+    const sizes = scratch.words(rings.map((ring) => ring.length / 2));
+    const [out, statuses] = [scratch.room(4 * count), scratch.room(4 * count)];
+    check(library.gcv_polygon_create_many(vertices, sizes, count, 0, out, statuses));
+    return structsAt(out, 4, count, (at) => view().getUint32(at, true));
+  });
+}
+
+function joined(rings: Ring[]): Float64Array {
+  const coordinates = new Float64Array(rings.reduce((sum, ring) => sum + ring.length, 0));
+  let at = 0;
+  for (const ring of rings) {
+    coordinates.set(ring, at);
+    at += ring.length;
+  }
+  return coordinates;
+}
+
+function ringsOrPolygon(source: PolygonLike): Ring[] | Made {
+  if (source instanceof Shape) {
+    return source.polygonMade();
+  }
+  if (typeof source === "string") {
+    if (source.trimStart().startsWith("{")) {
+      return ringsOfGeoJSON(parsed(source));
+    }
+    return isSVGPath(source) ? ringsOfSVGPath(source) : madeOfWKT(source);
+  }
+  if (typeof source === "object" && source !== null && "type" in source) {
+    return ringsOfGeoJSON(source);
+  }
+  return [ringOfPoints(source)];
+}
+
+function ringOfPoints(points: Points, ofRing = ""): Ring {
+  const what = "a polygon, and none can be made from it";
+  return coordinatesOf(points, "polygon", what, (k) => `polygon: vertex ${k}${ofRing}`);
+}
+
+/** The rings, from which a polygon is ended. */
+function ringsOf(read: Ring[] | Made): Ring[] {
+  if (Array.isArray(read)) {
+    return read;
+  }
+  try {
+    return normalisedRings(read.pointer);
+  } finally {
+    library.gcv_polygon_destroy(read.pointer);
+  }
+}
+
+/** The rings of a polygon as the library has them. */
+export function normalisedRings(pointer: number): Float64Array[] {
+  const count = withScratch((scratch) => {
+    const out = scratch.room(4);
+    check(library.gcv_polygon_ring_count(pointer, out));
+    return view().getUint32(out, true);
+  });
+  return Array.from({ length: count }, (_, k) =>
+    coordinatesFrom((...buffer) => library.gcv_polygon_ring(pointer, k, ...buffer)),
+  );
+}
+
+function ringOfHole(source: PolygonLike, index: number): Ring {
+  const rings = ringsOf(ringsOrPolygon(source));
+  if (rings.length !== 1) {
+    throw invalid(`hole ${index} has ${rings.length} rings, not one`);
+  }
+  return rings[0];
+}
+
+function madeOfWKT(text: string): Made {
+  return withScratch((scratch) => {
+    const bytes = new TextEncoder().encode(asPlainPolygon(text));
+    const pointer = scratch.bytes(bytes);
+    return new Made(pointerOf((out) => library.gcv_polygon_create_wkt(pointer, bytes.length, out)));
+  });
+}
+
+function parsed(text: string): unknown {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw errorOf(Status.PARSE, `polygon: GeoJSON text: ${(error as Error).message}`);
+  }
+}
+
+function ringsOfGeoJSON(source: unknown): Ring[] {
+  const { type, ...members } = Object(source) as Record<string, unknown>;
+  switch (type) {
+    case "Feature":
+      return ringsOfGeoJSON(members["geometry"]);
+    case "FeatureCollection":
+      return ringsOfGeoJSON(only(members["features"], type));
+    case "MultiPolygon":
+      return ringsOfCoordinates(only(members["coordinates"], type));
+    case "Polygon":
+      return ringsOfCoordinates(members["coordinates"]);
+    case undefined:
+      throw unfit("polygon", source, "a geometry");
+    default:
+      throw invalid(`a geometry of type ${JSON.stringify(type)} is not a polygon`);
+  }
+}
+
+function only(parts: unknown, type: string): unknown {
+  const list = listOf(parts);
+  if (list.length !== 1) {
+    throw invalid(`a ${type} of ${list.length} parts is not one polygon`);
+  }
+  return list[0];
+}
+
+function ringsOfCoordinates(coordinates: unknown): Ring[] {
+  const rings = listOf(coordinates).map((ring, r) => {
+    const pairs = listOf(ring).map((position) =>
+      Array.isArray(position) ? position.slice(0, 2) : position,
+    );
+    return ringOfPoints(pairs as number[][], r === 0 ? "" : ` of ring ${r}`);
+  });
+  return rings.length === 0 ? [[]] : rings;
+}
+
+function listOf(value: unknown): unknown[] {
+  if (!Array.isArray(value)) {
+    throw invalid(`${JSON.stringify(value)} in a geometry is not a list`);
+  }
+  return value;
+}
+
+function invalid(message: string): GcvError {
+  return errorOf(Status.INVALID_ARGUMENT, `polygon: ${message}`);
+}

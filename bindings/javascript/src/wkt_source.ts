@@ -1,0 +1,37 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Forms of Well-Known Text that the library does not read, in forms that it does. All that is kept
+// stays where it is, so that the library's messages name its place.
+
+/** As a POLYGON, without elevations; other text as it is. */
+export function asPlainPolygon(text: string): string {
+  return ofOnePart(withoutElevations(text));
+}
+
+/** A MULTIPOLYGON of one part as that part. */
+function ofOnePart(text: string): string {
+  const tag = /^\s*MULTIPOLYGON\s*\((?=\s*\()/i.exec(text)?.[0];
+  if (tag === undefined || text.slice(tag.length).match(/\(\s*\(/g)?.length !== 1) {
+    return text;
+  }
+  const head = tag.replace(/MULTI/i, "     ").replace("(", " ");
+  return head + text.slice(tag.length).replace(/\)\s*$/, "");
+}
+
+/** Blanks for a Z and an M, and for their numbers. */
+function withoutElevations(text: string): string {
+  const tag = /^(\s*(?:MULTI)?POLYGON\s*)(ZM|Z|M)(?=\s*\()/i.exec(text);
+  if (!tag) {
+    return text;
+  }
+  const [all, name, letters] = tag as unknown as [string, string, string];
+  const vertex = new RegExp(
+    `([(,]\\s*[-+.\\w]+\\s+[-+.\\w]+)((?:\\s+[-+.\\w]+){${letters.length}})(?=\\s*[,)])`,
+    "g",
+  );
+  const rest = text
+    .slice(all.length)
+    .replace(vertex, (_, kept: string, left: string) => kept + " ".repeat(left.length));
+  return name + " ".repeat(letters.length) + rest;
+}

@@ -1,0 +1,115 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { GcvError, InputError, Polygon, Status, minkowskiSum, minkowskiSumRegion } from "gcv";
+
+const plate = [[0, 0], [6, 0], [6, 4], [0, 4]];
+const hole = [[1, 1], [3, 1], [3, 3]];
+const wkt = "POLYGON ((0 0, 6 0, 6 4, 0 4, 0 0), (1 1, 3 3, 3 1, 1 1))";
+
+const fails = (make, Kind, status, message) =>
+  assert.throws(make, (error) => {
+    assert.ok(error instanceof Kind && error instanceof GcvError, String(error));
+    assert.equal(error.status, status);
+    assert.match(error.message, message);
+    return true;
+  });
+
+test("a polygon from every kind of source", () => {
+  const geometry = { type: "Polygon", coordinates: [[...plate, [0, 0]], [...hole, [1, 1]]] };
+  const sources = [
+    wkt,
+    "multipolygon (((0 0, 6 0, 6 4, 0 4), (1 1, 3 1, 3 3)))",
+    "POLYGON Z ((0 0 9, 6 0 9, 6 4 9, 0 4 9), (1 1 9, 3 1 9, 3 3 9))",
+    "M 0,0 H6V4 H 0 Z M 1 1 L 3 1 3 3 z",
+    "m0 0 6 0 0 4h-6zm1 1 2 0 0 2z",
+    geometry,
+    JSON.stringify(geometry),
+    { type: "MultiPolygon", coordinates: [geometry.coordinates] },
+    { type: "Feature", geometry },
+    { type: "FeatureCollection", features: [{ type: "Feature", geometry }] },
+  ];
+  const expected = new Polygon(plate, [hole]);
+  for (const source of sources) {
+    assert.ok(new Polygon(source).equals(expected), JSON.stringify(source));
+  }
+  for (const ring of [Float64Array.from(plate.flat()), Int32Array.from(plate.flat())]) {
+    assert.ok(new Polygon(ring, [new Polygon(hole)]).equals(expected));
+  }
+  assert.ok(new Polygon(expected).equals(expected));
+  assert.equal(new Polygon(new Polygon(plate), [hole]).toWKT(), wkt);
+});
+
+test("what a polygon tells", () => {
+  const polygon = new Polygon(plate, [hole]);
+  assert.deepEqual(polygon.vertices, Float64Array.of(0, 0, 6, 0, 6, 4, 0, 4));
+  assert.deepEqual(polygon.holes, [Float64Array.of(1, 1, 3, 3, 3, 1)]);
+  assert.equal(polygon.rings, polygon.rings);
+  assert.equal(polygon.area, 22);
+  assert.deepEqual(polygon.bounds, [0, 0, 6, 4]);
+  assert.equal(polygon.toWKT(), wkt);
+  assert.equal(polygon.toSVGPath(), "M 0 0 L 6 0 L 6 4 L 0 4 Z M 1 1 L 3 3 L 3 1 Z");
+  assert.ok(new Polygon(polygon.toSVGPath()).equals(polygon));
+  assert.ok(new Polygon(polygon.toGeoJSON()).equals(polygon));
+  assert.ok(!polygon.equals(new Polygon(plate)));
+});
+
+test("what is made of a polygon", () => {
+  const polygon = new Polygon(plate);
+  assert.deepEqual(polygon.translated([1, 2]).bounds, [1, 2, 7, 6]);
+  assert.deepEqual(polygon.negated().bounds, [-6, -4, 0, 0]);
+  assert.deepEqual(polygon.affine([0, -1, 0, 1, 0, 0]).bounds, [-4, 0, 0, 6]);
+  const { polygon: simple, errorBound } = new Polygon([...plate, [0, 2], [0.01, 1]]).simplified(0.1);
+  assert.ok(simple.equals(polygon));
+  assert.ok(errorBound > 0 && errorBound <= 0.1);
+  const disc = Polygon.disc([1, 1], 2, 0.01, { rounding: "outward" });
+  assert.ok(disc.area > 4 * Math.PI);
+});
+
+test("many polygons", () => {
+  const made = Polygon.many([plate, wkt, "M 0 0 L 1 1", [[0, 0], [1, 0], [NaN, 1]]], {
+    returnErrors: true,
+  });
+  assert.ok(made[0].equals(new Polygon(plate)));
+  assert.equal(made[1].area, 22);
+  assert.equal(made[2].status, Status.DEGENERATE);
+  assert.match(made[3].message, /^polygon 3: .*vertex 2/);
+  fails(() => Polygon.many([plate, []]), InputError, Status.DEGENERATE, /^polygon 1: /);
+});
+
+test("shapes as sources", () => {
+  const face = minkowskiSum(plate, plate);
+  assert.ok(new Polygon(face).equals(face.polygon()));
+  const region = minkowskiSumRegion(new Polygon(plate, [hole]), [[0, 0], [0.5, 0], [0.5, 0.5]]);
+  assert.ok(new Polygon(region).equals(region.polygon(0)));
+});
+
+test("sources that are no polygons", () => {
+  const cases = [
+    [[[0, 0], [1, 0]], Status.DEGENERATE, /^polygon: /],
+    [[[0, 0], [2, 0], [0, 2], [2, 2]], Status.NOT_SIMPLE, /edges 1 and 3/],
+    [[[0, 0], [1, 0], [0, Infinity]], Status.NOT_FINITE, /vertex 2/],
+    [[[0, 0], [1, 0], [0]], Status.INVALID_ARGUMENT, /vertex 2: \[0\] is not a pair of numbers/],
+    [[[0, 0], [1, "0"], [0, 1]], Status.INVALID_ARGUMENT, /vertex 1/],
+    [Float64Array.of(0, 0, 1), Status.INVALID_ARGUMENT, /3 numbers/],
+    ["POLYGON ((0 0, 1 x))", Status.PARSE, /byte 17/],
+    ["POLYGON ((0 0, 1 0x1, 0 1))", Status.PARSE, /byte/],
+    ["POLYGON ((0 0, 1e400 0, 0 1))", Status.NOT_FINITE, /1e400/],
+    ["M 0 0 L 1 0 C 1 1 0 1 0 0", Status.PARSE, /character 12: .*curves/],
+    ["M 0 0 L 1", Status.PARSE, /the path ends/],
+    ["{", Status.PARSE, /GeoJSON/],
+    [{ type: "Point", coordinates: [0, 0] }, Status.INVALID_ARGUMENT, /"Point" is not a polygon/],
+    [{ type: "MultiPolygon", coordinates: [] }, Status.INVALID_ARGUMENT, /0 parts/],
+    [5, Status.INVALID_ARGUMENT, /5 is not a polygon/],
+    [null, Status.INVALID_ARGUMENT, /null is not a polygon/],
+  ];
+  for (const [source, status, message] of cases) {
+    fails(() => new Polygon(source), InputError, status, message);
+  }
+  fails(() => minkowskiSum(plate, []), InputError, Status.DEGENERATE, /^b: /);
+  fails(() => new Polygon(plate, [wkt]), InputError, Status.INVALID_ARGUMENT, /hole 0 has 2 rings/);
+  fails(() => Polygon.disc([0, 0], -1, 1), InputError, Status.INVALID_ARGUMENT, /radius/);
+  fails(() => new Polygon([[0, 0], [1e308, 0], [0, 1e308]]).area, GcvError, Status.RANGE, /./);
+});
