@@ -124,9 +124,10 @@ class Faces:
             (plus(p, v), plus(q, v)) for p, q in b.edges for a in solids for v in a.vertices
         }
         segments |= set(edges(corners_of(window)) if window is not None else [])
-        neighbours = arrangement(list({(min(s), max(s)) for s in segments}))
+        neighbours = arrangement(segments)
         self.around = {p: around(p, others) for p, others in neighbours.items()}
         self.edges = [(p, q) for p, others in self.around.items() for q in others]
+        self.segments = [(p, q) for p, q in self.edges if p < q]
         self.blocked_left: dict[Segment, bool] = {}
         self.wanted_left: dict[Segment, bool] = {}
         for edge in self.edges:
@@ -151,7 +152,7 @@ class Faces:
         towards = direction(*edge)
         far = (m[0] - towards[1], m[1] + towards[0])
         nearest = Fraction(1)
-        for p, q in self.edges:
+        for p, q in self.segments:
             if are_apart((m, far), (p, q)):
                 continue
             start, end = cross(m, far, p), cross(m, far, q)
@@ -252,8 +253,8 @@ def fits(faces: Faces, on_rings: set[Point]) -> list[Part]:
 
     thin = {
         (p, q)
-        for p, q in faces.edges
-        if blocked[p, q] and blocked[q, p] and p < q and is_place(middle(p, q))
+        for p, q in faces.segments
+        if blocked[p, q] and blocked[q, p] and is_place(middle(p, q))
     }
     points = [
         p

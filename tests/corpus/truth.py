@@ -52,7 +52,7 @@ def outer_face(a: list[Point], b: list[Point]) -> list[Point]:
     """The boundary of the unbounded face, from its smallest vertex, without straight angles."""
     segments = {(plus(p, v), plus(q, v)) for p, q in edges(a) for v in b}
     segments |= {(plus(p, v), plus(q, v)) for p, q in edges(b) for v in a}
-    neighbours = arrangement(list(segments))
+    neighbours = arrangement(segments)
     start = min(neighbours)
     walk = [start]
     back = (Fraction(-1), Fraction(0))
