@@ -56,12 +56,20 @@ def meeting_points(s: Segment, t: Segment) -> list[Point]:
     return [p] if within(p, *s) and within(p, *t) else []
 
 
-def arrangement(segments: list[Segment]) -> dict[Point, set[Point]]:
+def arrangement(segments: set[Segment]) -> dict[Point, set[Point]]:
     """The neighbours of every vertex."""
+    cuts = {(min(s), max(s)): set(s) for s in segments}
+    ordered = sorted(cuts)
+    for k, s in enumerate(ordered):
+        for t in ordered[k + 1 :]:
+            if t[0] > s[1]:
+                break
+            points = meeting_points(s, t)
+            cuts[s].update(points)
+            cuts[t].update(points)
     neighbours: dict[Point, set[Point]] = {}
-    for s in segments:
-        cuts = {p for t in segments for p in meeting_points(s, t)}
-        chain = sorted(cuts)
+    for points_of_one in cuts.values():
+        chain = sorted(points_of_one)
         for p, q in zip(chain, chain[1:]):
             neighbours.setdefault(p, set()).add(q)
             neighbours.setdefault(q, set()).add(p)

@@ -10,13 +10,12 @@ from the library.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from fractions import Fraction
 from typing import NamedTuple
 
-from arrangement import Point, Segment, cross, direction, meeting_points, plus, within
+from arrangement import Point, Segment, area_twice, cross, direction, meeting_points, plus, within
 from regions import Solid, overlap, scaled
-
-Polygon = list[list[Point]]
 
 ZERO = (Fraction(0), Fraction(0))
 EDGE_VERTEX, VERTEX_EDGE, VERTEX_VERTEX = 1, 2, 3
@@ -46,11 +45,11 @@ class Corner(NamedTuple):
     edge: int
 
 
-def corners(polygon: Polygon) -> list[Corner]:
+def corners(solid: Solid) -> list[Corner]:
     """Without repeated and collinear vertices, with the caller's numbers."""
     result = []
     first = 0
-    for ring, given in enumerate(polygon):
+    for ring, given in enumerate(solid.given):
         last = len(given)
         while last > 1 and given[last - 1] == given[0]:
             last -= 1
@@ -59,7 +58,7 @@ def corners(polygon: Polygon) -> list[Corner]:
         places = [given[k] for k in kept]
         vertices = [first + k for k in kept]
         edges = list(vertices)
-        if (sum(product(p, q) for p, q in zip(places, places[1:] + places[:1])) > 0) != (ring == 0):
+        if (area_twice(places) > 0) != (ring == 0):
             places.reverse()
             vertices.reverse()
             edges = edges[-2::-1] + edges[-1:]
@@ -69,21 +68,19 @@ def corners(polygon: Polygon) -> list[Corner]:
             if cross(places[k - 1], places[k], places[(k + 1) % len(places)]) != 0
         ]
         for n, k in enumerate(turns):
-            before, after = places[turns[n - 1]], places[turns[(n + 1) % len(turns)]]
-            result.append(Corner(before, places[k], after, vertices[k], edges[k]))
+            before, after = turns[n - 1], turns[(n + 1) % len(turns)]
+            edge = edges[k]
+            if solid.is_outside:
+                before, after, edge = after, before, edges[before]
+            result.append(Corner(places[before], places[k], places[after], vertices[k], edge))
         first += len(given)
     return result
 
 
-def moved(polygon: Polygon, t: Point) -> Polygon:
-    return [[plus(p, t) for p in ring] for ring in polygon]
-
-
-def relation(a: Polygon, b: Polygon) -> int:
-    if overlap(Solid(a), Solid(b)):
+def relation(a: Solid, b: Solid) -> int:
+    if overlap(a, b):
         return -1
-    edges = Solid(b).edges
-    return 0 if any(meeting_points(s, t) for s in Solid(a).edges for t in edges) else 1
+    return 0 if any(meeting_points(s, t) for s in a.edges for t in b.edges) else 1
 
 
 class Contact(NamedTuple):
@@ -99,7 +96,7 @@ class Contact(NamedTuple):
     """Whether the gap counts as negative."""
 
 
-def nearest(a: Polygon, b: Polygon) -> Contact:
+def nearest(a: Solid, b: Solid) -> Contact:
     """The smallest of the nearest pairs of features."""
 
     def foot(corner: Corner, p: Point) -> Point | None:
@@ -172,7 +169,7 @@ def features_at(solid: list[Corner], x: Point) -> list[tuple[bool, int, Sector]]
     return found
 
 
-def entered(a: Polygon, b: Polygon, motion: Point) -> Contact:
+def entered(a: Solid, b: Solid, motion: Point) -> Contact:
     """The smallest contact that the motion of b enters. They touch."""
     found = []
     of_a, of_b = corners(a), corners(b)
@@ -188,17 +185,18 @@ def entered(a: Polygon, b: Polygon, motion: Point) -> Contact:
     return min(found)
 
 
-def times_of_events(a: Polygon, b: Polygon, motion: Point) -> list[Fraction]:
+def times_of_events(a: Solid, b: Solid, motion: Point) -> list[Fraction]:
     """From 0 to 1, when vertices come to edges or leave them; nothing changes in between."""
     times = {Fraction(0), Fraction(1)}
+    of_a, of_b = corners(a), corners(b)
     for some, others, way in (
-        (a, b, motion),
-        (b, a, (-motion[0], -motion[1])),
+        (of_a, of_b, motion),
+        (of_b, of_a, (-motion[0], -motion[1])),
     ):
-        for edge in corners(some):
+        for edge in some:
             along = direction(edge.place, edge.after)
             speed = product(along, way)
-            for corner in corners(others) if speed != 0 else []:
+            for corner in others if speed != 0 else []:
                 time = product(along, direction(corner.place, edge.place)) / speed
                 reached = plus(corner.place, scaled(way, time))
                 if 0 < time < 1 and within(reached, edge.place, edge.after):
@@ -212,14 +210,14 @@ class Impact(NamedTuple):
     contact: Contact | None
 
 
-def impact(a: Polygon, b: Polygon, motion: Point) -> Impact:
+def impact(a: Solid, b: Solid, motion: Point) -> Impact:
     if relation(a, b) < 0:
         return Impact(True, Fraction(0), None)
     times = times_of_events(a, b, motion)
     for time, following in zip(times, times[1:]):
-        later = moved(b, scaled(motion, (time + following) / 2))
+        later = b.moved(scaled(motion, (time + following) / 2))
         if relation(a, later) < 0:
-            here = moved(b, scaled(motion, time))
+            here = b.moved(scaled(motion, time))
             assert relation(a, here) == 0
             return Impact(True, time, entered(a, here, motion))
     return Impact(False, Fraction(1), None)
@@ -252,7 +250,7 @@ def clamped_foot(edge: Segment, p: Point) -> Point:
     return plus(edge[0], scaled(along, min(max(share, Fraction(0)), Fraction(1))))
 
 
-def contacts(a: Polygon, b: Polygon, distance: Fraction, slope: Fraction) -> list[Contact]:
+def contacts(a: Solid, b: Solid, distance: Fraction, slope: Fraction) -> list[Contact]:
     """Those of Definition 1 within the distance, by their features."""
 
     def edge_of(corner: Corner) -> Segment:
@@ -289,15 +287,15 @@ def contacts(a: Polygon, b: Polygon, distance: Fraction, slope: Fraction) -> lis
 # ------------------------------------------------------------------------ ways out --
 
 
-def nearest_free(a: Polygon, b: Polygon, ways: set[Point]) -> Point:
+def nearest_free(a: Solid, b: Solid, ways: set[Point]) -> Point:
     """The shortest of the ways by which b does not overlap a; of several, the smallest."""
     for way in sorted(ways, key=lambda way: (dot(way, way), way)):
-        if relation(a, moved(b, way)) >= 0:
+        if relation(a, b.moved(way)) >= 0:
             return way
     raise AssertionError("no way out")
 
 
-def way_out(a: Polygon, b: Polygon) -> Point:
+def way_out(a: Solid, b: Solid) -> Point:
     """The shortest one.
 
     It ends on a segment of ways that bring a vertex to an edge: where that is nearest, where it
@@ -360,56 +358,74 @@ def text_of_contact(contact: Contact | None) -> str:
     return " ".join([name, *map(text_of_number, numbers)])
 
 
-def text_of_relation(a: Polygon, b: Polygon) -> str:
+def text_of_relation(a: Solid, b: Solid) -> str:
     return RELATIONS[relation(a, b)]
 
 
-def text_of_distance(a: Polygon, b: Polygon) -> str:
-    lie = relation(a, b)
-    contact = nearest(a, b) if lie > 0 else None
-    distance = root(contact.squared_gap) if contact is not None else 0.0
-    return f"{RELATIONS[lie]} {text_of_number(distance)} {text_of_contact(contact)}"
+def nearest_if_apart(a: Solid, b: Solid) -> Contact | None:
+    return nearest(a, b) if relation(a, b) > 0 else None
 
 
-def text_of_position(a: Polygon, b: Polygon, exact: Point) -> str:
-    """Of b before that translation."""
+def text_of_gap(contact: Contact | None) -> str:
+    return text_of_number(root(contact.squared_gap) if contact is not None else 0.0)
+
+
+def text_of_distance(a: Solid, b: Solid) -> str:
+    contact = nearest_if_apart(a, b)
+    return f"{text_of_relation(a, b)} {text_of_gap(contact)} {text_of_contact(contact)}"
+
+
+def text_of_point(exact: Point) -> str:
     position = [nearest_double(x) for x in exact]
     if [Fraction(x) for x in position] != list(exact):
         return "inexact"
-    lie = RELATIONS[relation(a, moved(b, exact))]
-    return " ".join([lie, *map(text_of_number, position)])
+    return " ".join(map(text_of_number, position))
 
 
-def text_of_cast(a: Polygon, b: Polygon, translation: Point, motion: Point) -> str:
+def text_of_position(exact: Point, relation_at: Callable[[Point], int]) -> str:
+    text = text_of_point(exact)
+    return text if text == "inexact" else f"{RELATIONS[relation_at(exact)]} {text}"
+
+
+def text_of_cast(a: Solid, b: Solid, translation: Point, motion: Point) -> str:
     """Of b before the translation."""
-    hit, time, contact = impact(a, moved(b, translation), motion)
-    place = text_of_position(a, b, plus(translation, scaled(motion, time)))
+    hit, time, contact = impact(a, b.moved(translation), motion)
+    end = plus(translation, scaled(motion, time))
+    place = text_of_position(end, lambda t: relation(a, b.moved(t)))
     word = "hit" if hit else "miss"
     return f"{word} {text_of_number(double_below(time))} {place} {text_of_contact(contact)}"
 
 
-def text_of_penetration(a: Polygon, b: Polygon, translation: Point) -> str:
-    """Of b before the translation."""
-    way = way_out(a, moved(b, translation))
-    end = plus(translation, way)
-    contact = None
-    if way != ZERO:
-        touching = contacts(a, moved(b, end), Fraction(0), Fraction(0))
-        with_edges = [c for c in touching if c.kind != VERTEX_VERTEX]
-        assert with_edges, "rings touch where a contact is to be named"
-        contact = min(with_edges)
+def text_of_way(way: Point) -> str:
+    """Its length, and the way itself."""
     numbers = [root(dot(way, way)), nearest_double(way[0]), nearest_double(way[1])]
-    texts = [*map(text_of_number, numbers), text_of_position(a, b, end), text_of_contact(contact)]
-    return " ".join(texts)
+    return " ".join(map(text_of_number, numbers))
 
 
-def text_of_contacts(a: Polygon, b: Polygon, distance: Fraction, slope: Fraction) -> str:
+def contact_with_edge(a: Solid, b: Solid) -> Contact:
+    """The smallest one of an edge and a vertex. They touch."""
+    touching = contacts(a, b, Fraction(0), Fraction(0))
+    with_edges = [contact for contact in touching if contact.kind != VERTEX_VERTEX]
+    assert with_edges, "rings touch where a contact is to be named"
+    return min(with_edges)
+
+
+def text_of_penetration(a: Solid, b: Solid, translation: Point) -> str:
+    """Of b before the translation."""
+    way = way_out(a, b.moved(translation))
+    end = plus(translation, way)
+    contact = contact_with_edge(a, b.moved(end)) if way != ZERO else None
+    place = text_of_position(end, lambda t: relation(a, b.moved(t)))
+    return f"{text_of_way(way)} {place} {text_of_contact(contact)}"
+
+
+def text_of_contacts(a: Solid, b: Solid, distance: Fraction, slope: Fraction) -> str:
     found = contacts(a, b, distance, slope)
     found.sort(key=lambda contact: root(contact.squared_gap))
     return "; ".join(map(text_of_contact, found)) or "empty"
 
 
-def answer(a: Polygon, b: Polygon, question: str, words: list[str]) -> str:
+def answer(a: Solid, b: Solid, question: str, words: list[str]) -> str:
     """The status, and what the question asks for, for its numbers: a translation, and others."""
     numbers = [float(word) for word in words]
     if not all(map(math.isfinite, numbers)):
@@ -418,15 +434,15 @@ def answer(a: Polygon, b: Polygon, question: str, words: list[str]) -> str:
     translation = (exact[0], exact[1])
     try:
         if question == "relation":
-            return f"GCV_OK {text_of_relation(a, moved(b, translation))}"
+            return f"GCV_OK {text_of_relation(a, b.moved(translation))}"
         if question == "distance":
-            return f"GCV_OK {text_of_distance(a, moved(b, translation))}"
+            return f"GCV_OK {text_of_distance(a, b.moved(translation))}"
         if question == "penetration":
             return f"GCV_OK {text_of_penetration(a, b, translation)}"
         if question == "contacts":
             if min(exact[2:]) < 0:
                 return "GCV_ERR_INVALID_ARGUMENT"
-            return f"GCV_OK {text_of_contacts(a, moved(b, translation), exact[2], exact[3])}"
+            return f"GCV_OK {text_of_contacts(a, b.moved(translation), exact[2], exact[3])}"
         return f"GCV_OK {text_of_cast(a, b, translation, (exact[2], exact[3]))}"
     except OverflowError:
         return "GCV_ERR_RANGE"

@@ -1,12 +1,13 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The exact region of a sum or of an inner fit, in fractions, without the library.
+"""The exact region of a sum, of an inner fit or of a scene, in fractions, without the library.
 
-A position x is blocked if the interiors of A and of x - B meet; the positions that are not are
-free. Whether two polygons overlap is asked of the polygons alone, for every face, edge and vertex
-of the arrangement of all edges of each polygon moved to all vertices of the other. The region of
-a sum is what is blocked, that of an inner fit what is free where A is the outside of a
-container. In both, fits are free edges and vertices among blocked faces.
+A position x is blocked if the interiors of A and of x - B meet, for one A of several; the positions
+that are not are free. Whether two polygons overlap is asked of the polygons alone, for every face,
+edge and vertex of the arrangement of all edges of each polygon moved to all vertices of the other.
+The region of a sum is what is blocked. That of an inner fit or of a scene is what is free, where
+one A is the outside of a container, or where there is a window, whose edges are in the
+arrangement too. Fits are free edges and vertices among blocked faces.
 """
 
 from __future__ import annotations
@@ -31,19 +32,28 @@ from arrangement import (
 )
 
 Ring = list[Point]
+Polygon = list[Ring]
+Part = tuple[str, Ring]
+"""The word "outer", "hole", "segment" or "point", and the vertices."""
 
 
 class Solid:
     """Rings, the solid on the left of every edge: a polygon, or the outside of one."""
 
-    def __init__(self, rings: list[Ring], is_outside: bool = False) -> None:
+    def __init__(self, given: Polygon, is_outside: bool = False) -> None:
+        self.given = given
         self.is_outside = is_outside
         self.rings = [
             ring if (area_twice(ring) > 0) == ((k == 0) != is_outside) else ring[::-1]
-            for k, ring in enumerate(rings)
+            for k, ring in enumerate(given)
         ]
         self.edges = [edge for ring in self.rings for edge in edges(ring)]
         self.vertices = [p for ring in self.rings for p in ring]
+        xs, ys = zip(*self.vertices)
+        self.box: Segment = ((min(xs), min(ys)), (max(xs), max(ys)))
+
+    def moved(self, t: Point) -> Solid:
+        return Solid([[plus(p, t) for p in ring] for ring in self.given], self.is_outside)
 
     def at(self, x: Point) -> Solid:
         """X - B, for this B."""
@@ -67,6 +77,15 @@ class Solid:
         return is_inside
 
 
+Window = tuple[Fraction, Fraction, Fraction, Fraction]
+"""The smallest x and y, and the largest ones."""
+
+
+def corners_of(window: Window) -> Ring:
+    x_min, y_min, x_max, y_max = window
+    return [(x_min, y_min), (x_max, y_min), (x_max, y_max), (x_min, y_max)]
+
+
 def middle(p: Point, q: Point) -> Point:
     return ((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)
 
@@ -77,6 +96,8 @@ def overlap(a: Solid, b: Solid) -> bool:
     If they do, what they share is bounded by parts of edges of one of the solids, with the other
     solid on the left too.
     """
+    if not (a.is_outside or b.is_outside) and are_apart(a.box, b.box):
+        return False
     for one, other in ((a, b), (b, a)):
         for edge in one.edges:
             cuts = {p for t in other.edges for p in meeting_points(edge, t)} | set(edge)
@@ -88,22 +109,42 @@ def overlap(a: Solid, b: Solid) -> bool:
 
 
 class Faces:
-    """Which positions are blocked: for each edge of the arrangement, the face on its left."""
+    """For each edge of the arrangement: whether the face on its left is blocked, and is wanted."""
 
-    def __init__(self, a: Solid, b: Solid) -> None:
-        self.is_blocked: Callable[[Point], bool] = lambda x: overlap(a, b.at(x))
-        segments = {(plus(p, v), plus(q, v)) for p, q in a.edges for v in b.vertices}
-        segments |= {(plus(p, v), plus(q, v)) for p, q in b.edges for v in a.vertices}
-        neighbours = arrangement(list({(min(s), max(s)) for s in segments}))
+    def __init__(self, solids: list[Solid], b: Solid, window: Window | None) -> None:
+        self.is_blocked: Callable[[Point], bool] = lambda x: any(
+            overlap(a, b.at(x)) for a in solids
+        )
+        self.window = window
+        wants_blocked = window is None and not any(a.is_outside for a in solids)
+        segments = {
+            (plus(p, v), plus(q, v)) for a in solids for p, q in a.edges for v in b.vertices
+        }
+        segments |= {
+            (plus(p, v), plus(q, v)) for p, q in b.edges for a in solids for v in a.vertices
+        }
+        segments |= set(edges(corners_of(window)) if window is not None else [])
+        neighbours = arrangement(segments)
         self.around = {p: around(p, others) for p, others in neighbours.items()}
         self.edges = [(p, q) for p, others in self.around.items() for q in others]
+        self.segments = [(p, q) for p, q in self.edges if p < q]
         self.blocked_left: dict[Segment, bool] = {}
+        self.wanted_left: dict[Segment, bool] = {}
         for edge in self.edges:
             if edge not in self.blocked_left:
-                blocked = self.is_blocked(self.place_left_of(edge))
+                place = self.place_left_of(edge)
+                blocked = self.is_blocked(place)
                 while edge not in self.blocked_left:
                     self.blocked_left[edge] = blocked
+                    self.wanted_left[edge] = blocked == wants_blocked and self.is_in_window(place)
                     edge = self.following(edge, lambda _: True)
+
+    def is_in_window(self, p: Point) -> bool:
+        """Or on its border."""
+        if self.window is None:
+            return True
+        x_min, y_min, x_max, y_max = self.window
+        return x_min <= p[0] <= x_max and y_min <= p[1] <= y_max
 
     def place_left_of(self, edge: Segment) -> Point:
         """A place in the face on the left: half the way from the edge to the next one."""
@@ -111,7 +152,7 @@ class Faces:
         towards = direction(*edge)
         far = (m[0] - towards[1], m[1] + towards[0])
         nearest = Fraction(1)
-        for p, q in self.edges:
+        for p, q in self.segments:
             if are_apart((m, far), (p, q)):
                 continue
             start, end = cross(m, far, p), cross(m, far, q)
@@ -165,15 +206,13 @@ def contains(ring: Ring, p: Point) -> bool:
     return Solid([ring]).has_left_of(p, (Fraction(1), Fraction(0)))
 
 
-def region(a: Solid, b: Solid) -> list[tuple[str, Ring]]:
-    """All parts in their order: "outer", "hole", "segment" or "point", and the vertices."""
-    faces = Faces(a, b)
-    wants_blocked = not a.is_outside
-    blocked = faces.blocked_left
+def region(solids: list[Solid], b: Solid, window: Window | None = None) -> list[Part]:
+    """All parts in their order."""
+    faces = Faces(solids, b, window)
 
     def is_boundary(edge: Segment) -> bool:
         p, q = edge
-        return blocked[edge] == wants_blocked and blocked[q, p] != wants_blocked
+        return faces.wanted_left[edge] and not faces.wanted_left[q, p]
 
     outer: list[Ring] = []
     holes: list[tuple[Ring, Point]] = []
@@ -199,19 +238,23 @@ def region(a: Solid, b: Solid) -> list[tuple[str, Ring]]:
     for hole, inside in holes:
         around_it = [k for k, ring in enumerate(outer) if contains(ring, inside)]
         holes_of[min(around_it, key=lambda k: area_twice(outer[k]))].append(hole)
-    parts = []
+    parts: list[Part] = []
     for ring, its_holes in zip(outer, holes_of):
         parts.append(("outer", ring))
         parts += [("hole", hole) for hole in sorted(its_holes)]
     return parts + fits(faces, on_rings)
 
 
-def fits(faces: Faces, on_rings: set[Point]) -> list[tuple[str, Ring]]:
+def fits(faces: Faces, on_rings: set[Point]) -> list[Part]:
     blocked = faces.blocked_left
+
+    def is_place(p: Point) -> bool:
+        return faces.is_in_window(p) and not faces.is_blocked(p)
+
     thin = {
         (p, q)
-        for p, q in faces.edges
-        if blocked[p, q] and blocked[q, p] and p < q and not faces.is_blocked(middle(p, q))
+        for p, q in faces.segments
+        if blocked[p, q] and blocked[q, p] and is_place(middle(p, q))
     }
     points = [
         p
@@ -219,7 +262,7 @@ def fits(faces: Faces, on_rings: set[Point]) -> list[tuple[str, Ring]]:
         if p not in on_rings
         and not any((min(p, q), max(p, q)) in thin for q in others)
         and all(blocked[p, q] for q in others)
-        and not faces.is_blocked(p)
+        and is_place(p)
     ]
     segments = []
     for p, q in sorted(thin):
@@ -235,3 +278,16 @@ def fits(faces: Faces, on_rings: set[Point]) -> list[tuple[str, Ring]]:
     return [("segment", ends) for ends in sorted(segments)] + [
         ("point", [p]) for p in sorted(points)
     ]
+
+
+# ------------------------------------------------------------------------------ texts --
+
+
+def text_of_ring(ring: Ring) -> str:
+    return ", ".join(
+        f"{x.numerator}/{x.denominator} {y.numerator}/{y.denominator}" for x, y in ring
+    )
+
+
+def text_of_parts(parts: list[Part]) -> str:
+    return "; ".join(f"{kind} {text_of_ring(vertices)}" for kind, vertices in parts) or "empty"

@@ -12,7 +12,8 @@ Every edge of A moved to every vertex of B, and the reverse, lies in A + B, and 
 the boundary of A + B lies on these segments. So the ring is the boundary of the
 unbounded face of their arrangement, which is made here by cutting every segment at every
 other, and walked from its smallest vertex, always turning right as far as possible.
-regions.py says how regions are found, questions.py how answers about two polygons are.
+regions.py says how regions are found, questions.py how answers about two polygons are, and
+scenes.py how answers about scenes are.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ import sys
 from fractions import Fraction
 from pathlib import Path
 
+import questions
+import scenes
 from arrangement import (
     Point,
     arrangement,
@@ -31,8 +34,8 @@ from arrangement import (
     plus,
     without_straight_angles,
 )
-from questions import Polygon, answer
-from regions import Solid, region
+from regions import Polygon, Solid, region, text_of_parts, text_of_ring
+from scenes import CONTAINER, Scene
 
 
 def rings_of(wkt: str) -> list[list[Point]]:
@@ -49,7 +52,7 @@ def outer_face(a: list[Point], b: list[Point]) -> list[Point]:
     """The boundary of the unbounded face, from its smallest vertex, without straight angles."""
     segments = {(plus(p, v), plus(q, v)) for p, q in edges(a) for v in b}
     segments |= {(plus(p, v), plus(q, v)) for p, q in edges(b) for v in a}
-    neighbours = arrangement(list(segments))
+    neighbours = arrangement(segments)
     start = min(neighbours)
     walk = [start]
     back = (Fraction(-1), Fraction(0))
@@ -80,25 +83,25 @@ def shifted(polygon: Polygon, words: list[str]) -> Polygon:
     return [[plus(p, (x, y)) for p in ring] for ring in polygon]
 
 
-def text_of(ring: list[Point]) -> str:
-    return ", ".join(
-        f"{x.numerator}/{x.denominator} {y.numerator}/{y.denominator}" for x, y in ring
-    )
-
-
-def region_text(a: Polygon, b: Polygon, is_inner_fit: bool) -> str:
-    parts = region(Solid(a, is_inner_fit), Solid(b))
-    return "; ".join(f"{kind} {text_of(vertices)}" for kind, vertices in parts) or "empty"
-
-
 def recomputed(lines: list[str]) -> list[str]:
     a: Polygon = []
     b: Polygon = []
+    solids: dict[int, Solid] = {}
+    scene: Scene | None = None
     result = []
     for line in lines:
         key, _, rest = line.partition(" ")
-        if key in ("a", "b"):
-            a, b = (rings_of(rest), b) if key == "a" else (a, rings_of(rest))
+        if key == "case":
+            solids, scene = {}, None
+        elif key == "a":
+            a = rings_of(rest)
+        elif key == "b":
+            b = rings_of(rest)
+        elif key == "container":
+            solids[CONTAINER] = Solid(rings_of(rest), is_outside=True)
+        elif key == "member":
+            polygon = shifted(rings_of(rest), rest.split()[:2])
+            solids[max([CONTAINER, *solids]) + 1] = Solid(polygon)
         found = re.match(r"(sum|no_fit|entrance|inner_fit)(_region)?(( \S+ \S+)?) GCV_OK", line)
         if found:
             point = found[3].split() or ["0", "0"]
@@ -110,14 +113,20 @@ def recomputed(lines: list[str]) -> list[str]:
             }[found[1]]
             first = shifted(first, point)
             if found[2]:
-                text = region_text(first, second, found[1] == "inner_fit")
+                solid = Solid(first, is_outside=found[1] == "inner_fit")
+                text = text_of_parts(region([solid], Solid(second)))
             else:
-                text = text_of(outer_face(first[0], second[0]))
+                text = text_of_ring(outer_face(first[0], second[0]))
             line = f"{found[0]} {text}"
         asked = re.match(r"(relation|distance|cast|penetration|contacts) (.*?) GCV_", line)
         if asked:
-            text = answer(a, b, asked[1], asked[2].split())
+            text = questions.answer(Solid(a), Solid(b), asked[1], asked[2].split())
             line = f"{asked[1]} {asked[2]} {text}"
+        asked = re.match(r"scene_(\w+)(.*?) GCV_", line)
+        if asked:
+            scene = scene or Scene(solids, Solid(b))
+            text = scenes.answer(scene, asked[1], asked[2].split())
+            line = f"scene_{asked[1]}{asked[2]} {text}"
         result.append(line)
     return result
 

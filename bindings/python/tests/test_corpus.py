@@ -27,19 +27,22 @@ PARTS = {
 }
 
 
-def cases() -> Iterator[tuple[str, str, str, str]]:
-    """The name, a, b and what else it says, for every line that says more."""
+def cases() -> Iterator[tuple[str, str, str, list[str], str]]:
+    """The name, a, b, the lines of the scene and the line, for every line that says more."""
     name = a = b = ""
+    scene: list[str] = []
     for line in (REPOSITORY / "tests/corpus/cases.txt").read_text().splitlines():
         word, _, rest = line.partition(" ")
         if word == "case":
-            name, a, b = rest, "", ""
+            name, a, b, scene = rest, "", "", []
         elif word == "a":
             a = rest
         elif word == "b":
             b = rest
+        elif word in ("container", "member"):
+            scene.append(line)
         elif word not in ("", "#"):
-            yield name, a, b, line
+            yield name, a, b, scene, line
 
 
 def vertices(exact: list[tuple[Fraction, Fraction]]) -> str:
@@ -74,29 +77,90 @@ def position(found: gcv.Impact | gcv.Escape, line: str) -> str:
     return "inexact" if " inexact" in line else exact
 
 
+def separation(found: gcv.Separation, key: str = "") -> str:
+    lie = f"{found.relation.name.lower()} {numbers(found.distance)}"
+    return f"{lie} {key}{contact(found.nearest)}"
+
+
+def escape(found: gcv.Escape, line: str, key: str = "") -> str:
+    way = numbers(found.depth, *found.translation)
+    return f"{way} {position(found, line)} {key}{contact(found.contact)}"
+
+
+def impact(found: gcv.Impact, line: str, key: str = "") -> str:
+    time = f"{'hit' if found.hit else 'miss'} {numbers(found.time)}"
+    return f"{time} {position(found, line)} {key}{contact(found.contact)}"
+
+
+def words_of_question(line: str) -> tuple[str, list[float]]:
+    word, *words = line[: line.index(" GCV_")].split(" ")
+    return word, list(map(float, words))
+
+
 def answer(a: str, b: str, line: str) -> str:
     """What the line asks for."""
-    word, *words = line[: line.index(" GCV_")].split(" ")
-    translation = float(words[0]), float(words[1])
+    word, (x, y, *more) = words_of_question(line)
     if word == "relation":
-        return gcv.relation(a, b, translation).name.lower()
+        return gcv.relation(a, b, (x, y)).name.lower()
     if word == "distance":
-        distance, relation, nearest, _ = gcv.distance(a, b, translation)
-        return f"{relation.name.lower()} {numbers(distance)} {contact(nearest)}"
+        return separation(gcv.distance(a, b, (x, y)))
     if word == "penetration":
-        escape = gcv.penetration(a, b, translation)
-        way = numbers(escape.depth, *escape.translation)
-        return f"{way} {position(escape, line)} {contact(escape.contact)}"
-    more = float(words[2]), float(words[3])
+        return escape(gcv.penetration(a, b, (x, y)), line)
     if word == "contacts":
-        found = gcv.contacts(a, b, translation, *more)
+        found = gcv.contacts(a, b, (x, y), *more)
         return "; ".join(map(contact, found)) or "empty"
-    impact = gcv.cast(a, b, translation, more)
-    time = f"{'hit' if impact.hit else 'miss'} {numbers(impact.time)}"
-    return f"{time} {position(impact, line)} {contact(impact.contact)}"
+    return impact(gcv.cast(a, b, (x, y), (more[0], more[1])), line)
 
 
-def outcome(a: str, b: str, line: str) -> str:
+def scene_of(lines: list[str]) -> gcv.Scene:
+    scene = gcv.Scene()
+    for line in lines:
+        word, _, rest = line.partition(" ")
+        if word == "container":
+            scene.container = rest
+        else:
+            x, y, wkt = rest.split(" ", 2)
+            scene.add(wkt, (float(x), float(y)))
+    return scene
+
+
+def pairs(found: gcv.PairList) -> str:
+    return "; ".join(f"{a} {b} {relation.name.lower()}" for a, b, relation in found) or "empty"
+
+
+def scene_answer(scene: gcv.Scene, b: str, line: str) -> str:
+    """What the line asks for."""
+    word, values = words_of_question(line)
+    if word == "scene_free_region":
+        return parts(scene.free_region(b))
+    if word == "scene_window_region":
+        return parts(scene.free_region(b, values))
+    if word == "scene_pairs":
+        return pairs(scene.pairs(*values))
+    if word == "scene_contacts":
+        found = scene.contacts(*values)
+        return "; ".join(f"{c.id_a} {c.id_b} {contact(c)}" for c in found) or "empty"
+    x, y, *more = values
+    if word == "scene_near":
+        return pairs(scene.near(b, (x, y), *more))
+    if word == "scene_best":
+        best = scene.best(b, (x, y))
+        if best is None:
+            return "none"
+        return "inexact" if line.endswith(" inexact") else numbers(*best)
+    if word == "scene_relation":
+        return scene.relation(b, (x, y)).name.lower()
+    if word == "scene_distance":
+        nearest = scene.distance(b, (x, y))
+        return separation(nearest, f"{nearest.id} ")
+    if word == "scene_penetration":
+        way = scene.penetration(b, (x, y))
+        return escape(way, line, f"{way.id} ")
+    hit = scene.cast(b, (x, y), (more[0], more[1]))
+    return impact(hit, line, f"{hit.id} ")
+
+
+def outcome(a: str, b: str, scene: list[str], line: str) -> str:
     """The status, and the ring, the region or the refused text, that the line should have."""
     word, *words = line.split(" ")
     refused = line.split(" ", 2)[2] if word == "refuse" else ""
@@ -108,6 +172,8 @@ def outcome(a: str, b: str, line: str) -> str:
             return f"GCV_OK {vertices(gcv.minkowski_sum(a, b).exact)}"
         if word == "sum_region":
             return f"GCV_OK {parts(gcv.minkowski_sum_region(a, b))}"
+        if word.startswith("scene_"):
+            return f"GCV_OK {scene_answer(scene_of(scene), b, line)}"
         if word in QUESTIONS:
             return f"GCV_OK {answer(a, b, line)}"
         point = float(words[0]), float(words[1])
@@ -123,7 +189,9 @@ ONE_PART = "MULTIPOLYGON (((0 0, 1 0, 0 1)))"
 """The library refuses this text. Python takes the one polygon of it, as it does from GeoJSON."""
 
 
-@pytest.mark.parametrize(("name", "a", "b", "line"), CASES, ids=[case[0] for case in CASES])
-def test_case(name: str, a: str, b: str, line: str) -> None:
+@pytest.mark.parametrize(
+    ("name", "a", "b", "scene", "line"), CASES, ids=[case[0] for case in CASES]
+)
+def test_case(name: str, a: str, b: str, scene: list[str], line: str) -> None:
     expected = "GCV_OK" if line.endswith(ONE_PART) else line[line.index("GCV_") :]
-    assert outcome(a, b, line) == expected
+    assert outcome(a, b, scene, line) == expected

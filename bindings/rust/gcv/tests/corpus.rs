@@ -11,6 +11,7 @@ use gcv::{cast, contacts, distance, penetration, relation, Contact, ContactKind}
 use gcv::{entrance_block, minkowski_sum, no_fit_polygon};
 use gcv::{entrance_region, inner_fit_region, minkowski_sum_region, no_fit_region};
 use gcv::{Error, Options, OuterFace, PartKind, Polygon, Region};
+use gcv::{Escape, Impact, Pair, Query, Scene, Separation};
 
 /// The text of the corpus; none in a package, where cargo leaves its Cargo.toml.orig.
 fn corpus() -> Option<String> {
@@ -33,10 +34,13 @@ fn outcome(face: Result<OuterFace, Error>) -> String {
 
 /// Likewise for a region.
 fn region_outcome(region: Result<Region, Error>) -> String {
-    let region = match region {
-        Ok(region) => region,
-        Err(error) => return error.status_name(),
-    };
+    region.map_or_else(
+        |error| error.status_name(),
+        |region| format!("GCV_OK {}", region_text(&region)),
+    )
+}
+
+fn region_text(region: &Region) -> String {
     let vertices = region.exact_vertices();
     let part = |part: gcv::Part| {
         let word = match part.kind {
@@ -47,11 +51,16 @@ fn region_outcome(region: Result<Region, Error>) -> String {
         };
         format!("{word} {}", vertices[part.vertices].join(", "))
     };
-    let parts: Vec<_> = region.exact_parts().into_iter().map(part).collect();
-    if parts.is_empty() {
-        return "GCV_OK empty".into();
+    list(region.exact_parts().into_iter().map(part))
+}
+
+/// The texts with "; " between them.
+fn list(texts: impl Iterator<Item = String>) -> String {
+    let texts: Vec<_> = texts.collect();
+    if texts.is_empty() {
+        return "empty".into();
     }
-    format!("GCV_OK {}", parts.join("; "))
+    texts.join("; ")
 }
 
 fn word(relation: gcv::Relation) -> &'static str {
@@ -83,41 +92,94 @@ fn place(relation: gcv::Relation, [x, y]: [f64; 2], line: &str) -> String {
     format!("{} {x} {y}", word(relation))
 }
 
+/// With the id before the contact, as for scenes, or "".
+fn separation_text(separation: &Separation, id: &str) -> String {
+    let nearest = contact(separation.nearest());
+    let relation = word(separation.relation());
+    format!("{relation} {} {id}{nearest}", separation.distance())
+}
+
+fn escape_text(escape: &Escape, rest: &str, id: &str) -> String {
+    let [x, y] = escape.translation();
+    let place = place(escape.relation(), escape.position(), rest);
+    let contact = contact(escape.contact());
+    format!("{} {x} {y} {place} {id}{contact}", escape.depth())
+}
+
+fn impact_text(impact: &Impact, rest: &str, id: &str) -> String {
+    let hit = if impact.hit() { "hit" } else { "miss" };
+    let place = place(impact.relation(), impact.position(), rest);
+    let contact = contact(impact.contact());
+    format!("{hit} {} {place} {id}{contact}", impact.time())
+}
+
 /// What the question asks for.
 fn answer(a: &Polygon, b: &Polygon, key: &str, rest: &str) -> Result<String, Error> {
     let options = Options::new();
     let (from, rest) = point(rest);
     Ok(match key {
-        "relation" => format!("GCV_OK {}", word(relation(a, b, from, &options)?)),
-        "distance" => {
-            let separation = distance(a, b, from, &options)?;
-            let relation = word(separation.relation());
-            let nearest = contact(separation.nearest());
-            format!("GCV_OK {relation} {} {nearest}", separation.distance())
-        }
-        "penetration" => {
-            let escape = penetration(a, b, from, &options)?;
-            let [x, y] = escape.translation();
-            let place = place(escape.relation(), escape.position(), rest);
-            let contact = contact(escape.contact());
-            format!("GCV_OK {} {x} {y} {place} {contact}", escape.depth())
-        }
+        "relation" => word(relation(a, b, from, &options)?).into(),
+        "distance" => separation_text(&distance(a, b, from, &options)?, ""),
+        "penetration" => escape_text(&penetration(a, b, from, &options)?, rest, ""),
         "contacts" => {
             let ([most, slope], _) = point(rest);
-            let list = contacts(a, b, from, most, slope, &options)?;
-            let texts: Vec<_> = list.iter().map(|&found| contact(Some(found))).collect();
-            if texts.is_empty() {
-                return Ok("GCV_OK empty".into());
-            }
-            format!("GCV_OK {}", texts.join("; "))
+            let found = contacts(a, b, from, most, slope, &options)?;
+            list(found.iter().map(|&found| contact(Some(found))))
         }
-        _ => {
-            let impact = cast(a, b, from, point(rest).0, &options)?;
-            let hit = if impact.hit() { "hit" } else { "miss" };
-            let place = place(impact.relation(), impact.position(), rest);
-            let contact = contact(impact.contact());
-            format!("GCV_OK {hit} {} {place} {contact}", impact.time())
+        _ => impact_text(&cast(a, b, from, point(rest).0, &options)?, rest, ""),
+    })
+}
+
+fn pair_text(pair: &Pair) -> String {
+    format!("{} {} {}", pair.a(), pair.b(), word(pair.relation()))
+}
+
+/// What the question about the scene asks for.
+fn scene_answer(scene: &Scene, b: &Polygon, key: &str, rest: &str) -> Result<String, Error> {
+    let (query, options) = (Query::new(), Options::new());
+    let words = rest.split(' ').map_while(|word| word.parse().ok());
+    let numbers: Vec<f64> = words.collect();
+    Ok(match (key, &numbers[..]) {
+        ("scene_relation", &[x, y]) => word(scene.relation(b, [x, y], &query, &options)?).into(),
+        ("scene_distance", &[x, y]) => {
+            let separation = scene.distance(b, [x, y], &query, &options)?;
+            separation_text(&separation, &format!("{} ", separation.id()))
         }
+        ("scene_cast", &[x, y, dx, dy]) => {
+            let impact = scene.cast(b, [x, y], [dx, dy], &query, &options)?;
+            impact_text(&impact, rest, &format!("{} ", impact.id()))
+        }
+        ("scene_penetration", &[x, y]) => {
+            let escape = scene.penetration(b, [x, y], &query, &options)?;
+            escape_text(&escape, rest, &format!("{} ", escape.id()))
+        }
+        ("scene_best", &[dx, dy]) => match scene.best(b, [dx, dy], &query, &options)? {
+            None => "none".into(),
+            Some(_) if rest.ends_with(" inexact") => "inexact".into(),
+            Some([x, y]) => format!("{x} {y}"),
+        },
+        ("scene_free_region", []) => region_text(&scene.free_region(b, None, &query, &options)?),
+        ("scene_window_region", &[x0, y0, x1, y1]) => {
+            let window = Some([x0, y0, x1, y1]);
+            region_text(&scene.free_region(b, window, &query, &options)?)
+        }
+        ("scene_near", &[x, y, most]) => {
+            let pairs = scene.near(b, [x, y], most, &query, &options)?;
+            list(pairs.iter().map(pair_text))
+        }
+        ("scene_pairs", &[most]) => {
+            let pairs = scene.pairs(None, most, &query, &options)?;
+            list(pairs.iter().map(pair_text))
+        }
+        ("scene_contacts", &[most, slope]) => {
+            let found = scene.contacts(None, most, slope, &query, &options)?;
+            let text = |found: &Contact| {
+                let ids = format!("{} {}", found.id_a(), found.id_b());
+                format!("{ids} {}", contact(Some(*found)))
+            };
+            list(found.iter().map(text))
+        }
+        _ => panic!("what is {key}?"),
     })
 }
 
@@ -146,9 +208,18 @@ fn every_case() {
     }
 }
 
+fn assert_answer(name: &str, key: &str, rest: &str, found: Result<String, Error>) {
+    let found = found.map_or_else(|error| error.status_name(), |text| format!("GCV_OK {text}"));
+    let expected = &rest[rest.find("GCV_").unwrap()..];
+    assert!(
+        are_same(&found, expected),
+        "{name}: {key}: {found}, not {expected}"
+    );
+}
+
 fn check(corpus: &str) {
     let options = Options::new();
-    let (mut name, mut operands) = ("", BTreeMap::new());
+    let (mut name, mut operands, mut scene) = ("", BTreeMap::new(), Scene::new());
     let mut seen = BTreeMap::<_, u32>::new();
     for line in corpus
         .lines()
@@ -159,10 +230,23 @@ fn check(corpus: &str) {
         let (found, expected) = match key {
             "case" => {
                 name = rest;
+                scene = Scene::new();
                 continue;
             }
             "a" | "b" => {
                 operands.insert(key, Polygon::from_wkt(rest).unwrap());
+                continue;
+            }
+            "container" => {
+                let container = Polygon::from_wkt(rest).unwrap();
+                scene.set_container(Some(&container)).unwrap();
+                continue;
+            }
+            "member" => {
+                let (position, wkt) = point(rest);
+                scene
+                    .add(&Polygon::from_wkt(wkt).unwrap(), position)
+                    .unwrap();
                 continue;
             }
             "refuse" => {
@@ -199,13 +283,13 @@ fn check(corpus: &str) {
                 (region_outcome(region), expected)
             }
             "relation" | "distance" | "cast" | "penetration" | "contacts" => {
-                let found = answer(&operands["a"], &operands["b"], key, rest)
-                    .unwrap_or_else(|error| error.status_name());
-                let expected = &rest[rest.find("GCV_").unwrap()..];
-                assert!(
-                    are_same(&found, expected),
-                    "{name}: {key}: {found}, not {expected}"
-                );
+                let found = answer(&operands["a"], &operands["b"], key, rest);
+                assert_answer(name, key, rest, found);
+                continue;
+            }
+            _ if key.starts_with("scene_") => {
+                let found = scene_answer(&scene, &operands["b"], key, rest);
+                assert_answer(name, key, rest, found);
                 continue;
             }
             _ => panic!("{name}: what is {key}?"),
@@ -220,6 +304,22 @@ fn check(corpus: &str) {
         "inner_fit_region",
     ];
     let questions = ["relation", "distance", "cast", "penetration", "contacts"];
-    let mut keys = keys.iter().chain(&region_keys).chain(&questions);
-    assert!(keys.all(|key| seen.contains_key(key)), "{seen:?}");
+    let scene_questions = [
+        "scene_relation",
+        "scene_distance",
+        "scene_cast",
+        "scene_penetration",
+        "scene_best",
+        "scene_free_region",
+        "scene_window_region",
+        "scene_near",
+        "scene_pairs",
+        "scene_contacts",
+    ];
+    let keys = keys.iter().chain(&region_keys).chain(&questions);
+    assert!(
+        keys.chain(&scene_questions)
+            .all(|key| seen.contains_key(key)),
+        "{seen:?}"
+    );
 }
