@@ -136,9 +136,9 @@ def scene_answer(scene: gcv.Scene, b: str, line: str) -> str:
     if word == "scene_window_region":
         return parts(scene.free_region(b, values))
     if word == "scene_pairs":
-        return pairs(scene.pairs(*values))
+        return pairs(scene.pairs(values[0]))
     if word == "scene_contacts":
-        found = scene.contacts(*values)
+        found = scene.contacts(values[0], values[1])
         return "; ".join(f"{c.id_a} {c.id_b} {contact(c)}" for c in found) or "empty"
     x, y, *more = values
     if word == "scene_near":

@@ -72,8 +72,9 @@ fn word(relation: gcv::Relation) -> &'static str {
 }
 
 fn contact(contact: Option<Contact>) -> String {
-    let Some(contact) = contact else {
-        return "none".into();
+    let contact = match contact {
+        Some(contact) => contact,
+        None => return "none".into(),
     };
     let (name, a, b) = match contact.kind() {
         ContactKind::EdgeVertex { edge_a, vertex_b } => ("edge_vertex", edge_a, vertex_b),
