@@ -4,6 +4,7 @@
 // The options of computations.
 
 import { CancelledError, unfit } from "./errors.js";
+import { Made } from "./handle.js";
 import { library, reporting, view } from "./library.js";
 import { check, type Scratch } from "./memory.js";
 import { numberOf } from "./points.js";
@@ -110,4 +111,15 @@ export function run(
     }
     throw error;
   }
+}
+
+/** The object that such a call makes, and writes to `out`. @internal */
+export function madeBy(
+  scratch: Scratch,
+  options: RegionOptions,
+  call: (options: number, out: number) => number,
+): Made {
+  const out = scratch.room(4);
+  run(scratch, options, (known) => call(known, out));
+  return new Made(view().getUint32(out, true));
 }

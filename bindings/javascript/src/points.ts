@@ -81,3 +81,11 @@ function isNumberArray(value: unknown): value is NumberArray {
 function isList(value: unknown): value is ArrayLike<unknown> {
   return Array.isArray(value) || isNumberArray(value);
 }
+
+/** As many of one as of the other. @internal */
+export function checkCounts(a: string, countOfA: number, b: string, countOfB: number): void {
+  if (countOfA !== countOfB) {
+    const reason = `${a} has ${countOfA} elements and ${b} has ${countOfB}`;
+    throw errorOf(Status.INVALID_ARGUMENT, reason);
+  }
+}

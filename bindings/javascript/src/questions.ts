@@ -4,11 +4,10 @@
 // Questions about two polygons, one of which is moved by translations.
 
 import { errorOf, Status } from "./errors.js";
-import { Made } from "./handle.js";
-import { library, view } from "./library.js";
+import { library } from "./library.js";
 import { ContactList } from "./lists.js";
 import { structsAt, withScratch, type Scratch } from "./memory.js";
-import { run, type CallOptions, type LeaveOut } from "./options.js";
+import { madeBy, run, type CallOptions, type LeaveOut } from "./options.js";
 import { coordinatesOf, isPoint, numberOf, numbersOf, type Point, type Points } from "./points.js";
 import { withPolygons } from "./polygon.js";
 import {
@@ -191,11 +190,11 @@ export function contacts(
     withScratch((scratch) => {
       const place = scratch.doubles(numbersOf(translation, 2, "translation"));
       const limits = [numberOf(distance, "distance"), numberOf(slope, "slope")];
-      const out = scratch.room(4);
-      run(scratch, options, (known) =>
-        library.gcv_contacts(first!, second!, place, ...limits, known, out),
+      return new ContactList(
+        madeBy(scratch, options, (known, out) =>
+          library.gcv_contacts(first!, second!, place, ...limits, known, out),
+        ),
       );
-      return new ContactList(new Made(view().getUint32(out, true)));
     }),
   );
 }

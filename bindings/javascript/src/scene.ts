@@ -1,16 +1,15 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Scenes of many polygons.
+// Scenes of many polygons, and questions about them.
 
-import { errorOf, Status, unfit } from "./errors.js";
-import { Handle, Made } from "./handle.js";
+import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { ContactList, PairList } from "./lists.js";
-import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
-import { run, type CallOptions, type LeaveOut, type RegionOptions } from "./options.js";
-import { coordinatesOf, isPoint, numberOf, numbersOf, type Point, type Points } from "./points.js";
-import { Polygon, polygonOf, withPolygons, type Box } from "./polygon.js";
+import { doublesAt, pointerOf, withScratch, type Scratch } from "./memory.js";
+import { madeBy, run, type CallOptions, type LeaveOut, type RegionOptions } from "./options.js";
+import { numberOf, numbersOf, type Point, type Points } from "./points.js";
+import { withPolygons, type Box } from "./polygon.js";
 import { answer, type EscapeOptions } from "./questions.js";
 import {
   escapeStruct,
@@ -24,6 +23,7 @@ import {
   type Struct,
 } from "./records.js";
 import { Region } from "./region.js";
+import { allLayers, idsOf, layersOf, SceneMembers } from "./scene_members.js";
 import type { PolygonLike } from "./sources.js";
 
 /** Which members a question is about. */
@@ -40,7 +40,6 @@ export interface FreeRegionOptions extends QueryOptions, Pick<RegionOptions, "ro
   leaveOut?: LeaveOut;
 }
 
-const allLayers = 0xffffffff;
 const querySize = 16;
 
 /**
@@ -51,165 +50,7 @@ const querySize = 16;
  * added; an id is never used again, and the container's is 1. The scene keeps what it needs of the
  * polygons, which can be freed.
  */
-export class Scene extends Handle {
-  /** A scene without members, in a container if there is one. */
-  constructor(container?: PolygonLike | null);
-  /** @internal */
-  constructor(container: Made);
-  constructor(container: PolygonLike | Made | null = null) {
-    super(
-      container instanceof Made ? container : new Made(pointerOf((out) => library.gcv_scene_create(out))),
-      "gcv_scene_destroy",
-    );
-    if (!(container instanceof Made) && container !== null) {
-      try {
-        this.setContainer(container);
-      } catch (error) {
-        this.free();
-        throw error;
-      }
-    }
-  }
-
-  /** Puts a container round the members, in place of the one that there may be; null for none. */
-  setContainer(container: PolygonLike | null): void {
-    if (container === null) {
-      check(library.gcv_scene_set_container(this.pointer, 0));
-      return;
-    }
-    withPolygons({ container }, (polygon) =>
-      check(library.gcv_scene_set_container(this.pointer, polygon!)),
-    );
-  }
-
-  /** Adds a polygon at a position, and gives its id. */
-  add(polygon: PolygonLike, position?: Point): number;
-  /** Adds a polygon at each of many positions, and gives their ids. */
-  add(polygon: PolygonLike, positions: Points): number[];
-  add(polygon: PolygonLike, positions: Point | Points = [0, 0]): number | number[] {
-    const isOne = isPoint(positions);
-    const places = isOne ? [positions] : positions;
-    return withPolygons({ polygon }, (pointer) => {
-      const ids = this.addPointers((count) => new Array<number>(count).fill(pointer!), places);
-      return isOne ? ids[0] : ids;
-    });
-  }
-
-  /** Adds many polygons, each at its position, and gives their ids. */
-  addMany(polygons: readonly PolygonLike[], positions: Points): number[] {
-    return withMany(polygons, (pointers) => this.addPointers(() => pointers, positions));
-  }
-
-  private addPointers(pointersOf: (count: number) => number[], positions: Points): number[] {
-    return withScratch((scratch) => {
-      const places = coordinatesOf(positions, "positions", "an array of pairs");
-      const count = places.length / 2;
-      const pointers = pointersOf(count);
-      checkCounts("polygons", pointers.length, "positions", count);
-      const [polygons, xy, ids] = [
-        scratch.words(pointers),
-        scratch.doubles(places),
-        scratch.room(8 * count),
-      ];
-      check(library.gcv_scene_add(this.pointer, polygons, xy, count, ids));
-      return structsAt(ids, 8, count, integerAt);
-    });
-  }
-
-  /** Moves a member, or each of many. */
-  move(id: number, position: Point): void;
-  move(ids: readonly number[], positions: Points): void;
-  move(ids: number | readonly number[], positions: Point | Points): void {
-    const places = isPoint(positions) ? [positions] : positions;
-    this.change(ids, (scratch, list, count) => {
-      const coordinates = coordinatesOf(places, "positions", "a pair of numbers, nor an array of pairs");
-      checkCounts("ids", count, "positions", coordinates.length / 2);
-      const xy = scratch.doubles(coordinates);
-      return library.gcv_scene_set(this.pointer, list, 0, xy, count);
-    });
-  }
-
-  /** Gives a member another polygon, or several members one polygon. They stay where they are. */
-  setPolygon(ids: number | readonly number[], polygon: PolygonLike): void {
-    withPolygons({ polygon }, (pointer) =>
-      this.change(ids, (scratch, list, count) => {
-        const polygons = scratch.words(new Array<number>(count).fill(pointer!));
-        return library.gcv_scene_set(this.pointer, list, polygons, 0, count);
-      }),
-    );
-  }
-
-  /** Gives many members other polygons and other positions in one change. */
-  setMany(ids: readonly number[], polygons: readonly PolygonLike[], positions: Points): void {
-    withMany(polygons, (pointers) =>
-      this.change(ids, (scratch, list, count) => {
-        const coordinates = coordinatesOf(positions, "positions", "an array of pairs");
-        checkCounts("ids", count, "polygons", pointers.length);
-        checkCounts("ids", count, "positions", coordinates.length / 2);
-        const [shapes, xy] = [scratch.words(pointers), scratch.doubles(coordinates)];
-        return library.gcv_scene_set(this.pointer, list, shapes, xy, count);
-      }),
-    );
-  }
-
-  /** Puts members into layers, which questions choose from: a number with a bit for every layer. */
-  setLayers(ids: number | readonly number[], layers: number): void {
-    const bits = layersOf(layers);
-    this.change(ids, (scratch, list, count) => {
-      const words = scratch.words(new Array<number>(count).fill(bits));
-      return library.gcv_scene_set_layers(this.pointer, list, words, count);
-    });
-  }
-
-  /** Takes members out. */
-  remove(ids: number | readonly number[]): void {
-    this.change(ids, (_, list, count) => library.gcv_scene_remove(this.pointer, list, count));
-  }
-
-  private change(
-    ids: number | readonly number[],
-    call: (scratch: Scratch, ids: number, count: number) => number,
-  ): void {
-    withScratch((scratch) => {
-      const list = idsOf(ids, "ids");
-      check(call(scratch, scratch.ids(list), list.length));
-    });
-  }
-
-  /** The ids of all members, from the smallest on. */
-  get ids(): number[] {
-    return structsOf((...buffer) => library.gcv_scene_ids(this.pointer, ...buffer), 8, integerAt);
-  }
-
-  /** The number of members. */
-  get size(): number {
-    return this.ids.length;
-  }
-
-  /** The position of a member. */
-  position(id: number): Point {
-    const [x, y] = this.positions([id]);
-    return [x!, y!];
-  }
-
-  /** The positions of members, of all of them by default: x0, y0, x1, y1, ... */
-  positions(ids: readonly number[] = this.ids): Float64Array {
-    return withScratch((scratch) => {
-      const list = idsOf(ids, "ids");
-      const [pointer, out] = [scratch.ids(list), scratch.room(16 * list.length)];
-      check(library.gcv_scene_positions(this.pointer, pointer, list.length, out));
-      return doublesAt(out, 2 * list.length);
-    });
-  }
-
-  /** The polygon of a member, before it is moved to its position; made at each call. */
-  polygon(id: number): Polygon {
-    const [known] = idsOf(id, "id");
-    return new Polygon(
-      new Made(pointerOf((out) => library.gcv_scene_polygon(this.pointer, BigInt(known!), out))),
-    );
-  }
-
+export class Scene extends SceneMembers {
   /** A scene with the same members, ids, layers and container. From then on each changes alone. */
   copy(): Scene {
     return new Scene(new Made(pointerOf((out) => library.gcv_scene_copy(this.pointer, out))));
@@ -222,11 +63,11 @@ export class Scene extends Handle {
   freeRegion(moving: PolygonLike, window: Box | null = null, options: FreeRegionOptions = {}): Region {
     return this.ask({ moving }, options, (scratch, polygon, query) => {
       const bounds = window === null ? 0 : scratch.doubles(numbersOf(window, 4, "window"));
-      const out = scratch.room(4);
-      run(scratch, options, (known) =>
-        library.gcv_scene_free_region(this.pointer, polygon, bounds, query, known, out),
+      return new Region(
+        madeBy(scratch, options, (known, out) =>
+          library.gcv_scene_free_region(this.pointer, polygon, bounds, query, known, out),
+        ),
       );
-      return new Region(new Made(view().getUint32(out, true)));
     });
   }
 
@@ -311,11 +152,11 @@ export class Scene extends Handle {
     return this.ask({ moving }, options, (scratch, polygon, query) => {
       const place = scratch.doubles(numbersOf(position, 2, "position"));
       const limit = numberOf(distance, "distance");
-      const out = scratch.room(4);
-      run(scratch, options, (known) =>
-        library.gcv_scene_near(this.pointer, polygon, place, limit, query, known, out),
+      return new PairList(
+        madeBy(scratch, options, (known, out) =>
+          library.gcv_scene_near(this.pointer, polygon, place, limit, query, known, out),
+        ),
       );
-      return new PairList(new Made(view().getUint32(out, true)));
     });
   }
 
@@ -326,11 +167,12 @@ export class Scene extends Handle {
   pairs(distance = 0, previous: PairList | null = null, options: QueryOptions = {}): PairList {
     return this.ask({}, options, (scratch, _, query) => {
       const limit = numberOf(distance, "distance");
-      const [earlier, out] = [previous?.pointer ?? 0, scratch.room(4)];
-      run(scratch, options, (known) =>
-        library.gcv_scene_pairs(this.pointer, earlier, limit, query, known, out),
+      const earlier = previous?.pointer ?? 0;
+      return new PairList(
+        madeBy(scratch, options, (known, out) =>
+          library.gcv_scene_pairs(this.pointer, earlier, limit, query, known, out),
+        ),
       );
-      return new PairList(new Made(view().getUint32(out, true)));
     });
   }
 
@@ -343,11 +185,12 @@ export class Scene extends Handle {
   ): ContactList {
     return this.ask({}, options, (scratch, _, query) => {
       const limits = [numberOf(distance, "distance"), numberOf(slope, "slope")];
-      const [earlier, out] = [previous?.pointer ?? 0, scratch.room(4)];
-      run(scratch, options, (known) =>
-        library.gcv_scene_contacts(this.pointer, earlier, ...limits, query, known, out),
+      const earlier = previous?.pointer ?? 0;
+      return new ContactList(
+        madeBy(scratch, options, (known, out) =>
+          library.gcv_scene_contacts(this.pointer, earlier, ...limits, query, known, out),
+        ),
       );
-      return new ContactList(new Made(view().getUint32(out, true)));
     });
   }
 
@@ -381,38 +224,5 @@ export class Scene extends Handle {
         return use(scratch, moving, query);
       }),
     );
-  }
-}
-
-function withMany<T>(sources: readonly PolygonLike[], use: (pointers: number[]) => T): T {
-  const made: Polygon[] = [];
-  try {
-    return use(sources.map((source, k) => polygonOf(source, `polygons[${k}]`, made).pointer));
-  } finally {
-    made.forEach((polygon) => polygon.free());
-  }
-}
-
-function idsOf(ids: number | readonly number[], name: string): readonly number[] {
-  const list = typeof ids === "number" ? [ids] : ids;
-  list.forEach((id, k) => {
-    if (!Number.isSafeInteger(id) || id < 0) {
-      throw unfit(typeof ids === "number" ? name : `${name}[${k}]`, id, "an id");
-    }
-  });
-  return list;
-}
-
-function layersOf(layers: number): number {
-  if (!Number.isInteger(layers) || layers < 0 || layers > allLayers) {
-    throw unfit("layers", layers, "a number of 32 bits, one for each layer");
-  }
-  return layers;
-}
-
-function checkCounts(a: string, countOfA: number, b: string, countOfB: number): void {
-  if (countOfA !== countOfB) {
-    const reason = `${a} has ${countOfA} elements and ${b} has ${countOfB}`;
-    throw errorOf(Status.INVALID_ARGUMENT, reason);
   }
 }

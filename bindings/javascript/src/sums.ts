@@ -3,14 +3,14 @@
 //
 // Outer faces and regions of two polygons, and of many pairs.
 
-import { caught, errorOf, GcvError, Status } from "./errors.js";
+import { caught, errorOf, GcvError } from "./errors.js";
 import { edgeSourceAt, type EdgeSource } from "./facts.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { lastMessage, pointerOf, structsAt, structsOf, withScratch } from "./memory.js";
-import { run, type RegionOptions, type SumOptions } from "./options.js";
+import { madeBy, run, type RegionOptions, type SumOptions } from "./options.js";
 import { OuterFace } from "./outer_face.js";
-import { coordinatesOf, numbersOf, type Point, type Points } from "./points.js";
+import { checkCounts, coordinatesOf, numbersOf, type Point, type Points } from "./points.js";
 import { Polygon, polygonOf, withPolygons } from "./polygon.js";
 import { Region } from "./region.js";
 import type { PolygonLike } from "./sources.js";
@@ -38,11 +38,9 @@ function sum<T>(
   options: RegionOptions,
 ): T {
   return withPolygons(sources, (a, b) =>
-    withScratch((scratch) => {
-      const out = scratch.room(4);
-      run(scratch, options, (known) => call(a!, b!, known, out));
-      return new Result(new Made(view().getUint32(out, true)));
-    }),
+    withScratch(
+      (scratch) => new Result(madeBy(scratch, options, (known, out) => call(a!, b!, known, out))),
+    ),
   );
 }
 
@@ -190,13 +188,6 @@ function many<T extends OuterFace | Region>(
     return results as (T | GcvError)[];
   } finally {
     made.forEach((polygon) => polygon.free());
-  }
-}
-
-function checkCounts(a: string, countOfA: number, b: string, countOfB: number): void {
-  if (countOfA !== countOfB) {
-    const reason = `${a} has ${countOfA} elements and ${b} has ${countOfB}`;
-    throw errorOf(Status.INVALID_ARGUMENT, reason);
   }
 }
 

@@ -27,7 +27,7 @@ function parts(region) {
     ({ kind, start, stop }) =>
       `${nameIn(gcv.PartKind, kind)} ${vertices(region.exact.slice(start, stop))}`,
   );
-  return texts.join("; ") || "empty";
+  return listed(texts);
 }
 
 // Numbers are compared as doubles: they are written as their shortest digits.
@@ -50,36 +50,95 @@ function position({ relation, position }, line) {
   return line.includes(" inexact") ? "inexact" : exact;
 }
 
+const separation = ({ relation, distance, nearest }, key = "") =>
+  `${nameIn(gcv.Relation, relation)} ${numbers(distance)} ${key}${contact(nearest)}`;
+
+const escape = (way, line, key = "") =>
+  `${numbers(way.depth, ...way.translation)} ${position(way, line)} ${key}${contact(way.contact)}`;
+
+const impact = (found, line, key = "") =>
+  `${found.hit ? "hit" : "miss"} ${numbers(found.time)} ${position(found, line)} ` +
+  `${key}${contact(found.contact)}`;
+
+const listed = (texts) => texts.join("; ") || "empty";
+
+const pairs = (found) =>
+  listed([...found].map(({ a, b, relation }) => `${a} ${b} ${nameIn(gcv.Relation, relation)}`));
+
 const number = (word) => Number(word.replace("inf", "Infinity"));
 
-function answer(a, b, word, words, line) {
-  const translation = words.slice(0, 2).map(number);
-  const more = words.slice(2, 4).map(number);
+function sceneOf(lines) {
+  const scene = new gcv.Scene();
+  for (const line of lines) {
+    const [word, ...words] = line.split(" ");
+    if (word === "container") {
+      scene.setContainer(words.join(" "));
+    } else {
+      scene.add(words.slice(2).join(" "), words.slice(0, 2).map(number));
+    }
+  }
+  return scene;
+}
+
+function sceneAnswer(scene, b, word, values, line) {
+  const place = values.slice(0, 2);
+  const more = values.slice(2);
   switch (word) {
-    case "relation":
-      return nameIn(gcv.Relation, gcv.relation(a, b, translation));
-    case "distance": {
-      const { relation, distance, nearest } = gcv.distance(a, b, translation);
-      return `${nameIn(gcv.Relation, relation)} ${numbers(distance)} ${contact(nearest)}`;
+    case "scene_free_region":
+      return parts(scene.freeRegion(b));
+    case "scene_window_region":
+      return parts(scene.freeRegion(b, values));
+    case "scene_pairs":
+      return pairs(scene.pairs(...values));
+    case "scene_contacts":
+      return listed(
+        [...scene.contacts(...values)].map((one) => `${one.idA} ${one.idB} ${contact(one)}`),
+      );
+    case "scene_near":
+      return pairs(scene.near(b, place, ...more));
+    case "scene_best": {
+      const best = scene.best(b, place);
+      return best === null ? "none" : line.endsWith(" inexact") ? "inexact" : numbers(...best);
     }
-    case "penetration": {
-      const escape = gcv.penetration(a, b, translation);
-      const way = numbers(escape.depth, ...escape.translation);
-      return `${way} ${position(escape, line)} ${contact(escape.contact)}`;
+    case "scene_relation":
+      return nameIn(gcv.Relation, scene.relation(b, place));
+    case "scene_distance": {
+      const found = scene.distance(b, place);
+      return separation(found, `${found.id} `);
     }
-    case "contacts":
-      return [...gcv.contacts(a, b, translation, ...more)].map(contact).join("; ") || "empty";
-    case "cast": {
-      const impact = gcv.cast(a, b, translation, more);
-      const time = `${impact.hit ? "hit" : "miss"} ${numbers(impact.time)}`;
-      return `${time} ${position(impact, line)} ${contact(impact.contact)}`;
+    case "scene_penetration": {
+      const way = scene.penetration(b, place);
+      return escape(way, line, `${way.id} `);
+    }
+    case "scene_cast": {
+      const found = scene.cast(b, place, more);
+      return impact(found, line, `${found.id} `);
     }
     default:
       throw new Error(`nothing is known of ${word}`);
   }
 }
 
-function outcome(a, b, line) {
+function answer(a, b, word, values, line) {
+  const translation = values.slice(0, 2);
+  const more = values.slice(2);
+  switch (word) {
+    case "relation":
+      return nameIn(gcv.Relation, gcv.relation(a, b, translation));
+    case "distance":
+      return separation(gcv.distance(a, b, translation));
+    case "penetration":
+      return escape(gcv.penetration(a, b, translation), line);
+    case "contacts":
+      return listed([...gcv.contacts(a, b, translation, ...more)].map(contact));
+    case "cast":
+      return impact(gcv.cast(a, b, translation, more), line);
+    default:
+      throw new Error(`nothing is known of ${word}`);
+  }
+}
+
+function outcome(a, b, scene, line) {
   const [word, ...words] = line.split(" ");
   const refused = word === "refuse" ? words.slice(1).join(" ") : "";
   try {
@@ -93,14 +152,18 @@ function outcome(a, b, line) {
     if (word === "sum_region") {
       return `GCV_OK ${parts(gcv.minkowskiSumRegion(a, b))}`;
     }
-    const point = words.slice(0, 2).map(number);
+    const values = words.slice(0, words.findIndex((text) => text.startsWith("GCV_"))).map(number);
+    if (word.startsWith("scene_")) {
+      return `GCV_OK ${sceneAnswer(sceneOf(scene), b, word, values, line)}`;
+    }
+    const point = values.slice(0, 2);
     if (word in regions) {
       return `GCV_OK ${parts(regions[word](a, b, point))}`;
     }
     if (word in sums) {
       return `GCV_OK ${vertices(sums[word](a, b, point).exact)}`;
     }
-    return `GCV_OK ${answer(a, b, word, words, line)}`;
+    return `GCV_OK ${answer(a, b, word, values, line)}`;
   } catch (error) {
     if (!(error instanceof gcv.GcvError)) {
       throw error;
@@ -114,18 +177,20 @@ const onePart = "MULTIPOLYGON (((0 0, 1 0, 0 1)))";
 const exactLine = /^(refuse|sum|no_fit|entrance|\w+_region) /;
 
 const file = new URL("../../../tests/corpus/cases.txt", import.meta.url);
-let name, a, b;
+let name, a, b, scene;
 for (const line of readFileSync(file, "utf8").split("\n")) {
   const [word] = line.split(" ", 1);
   const rest = line.slice(word.length + 1);
   if (word === "case") {
-    [name, a, b] = [rest, "", ""];
+    [name, a, b, scene] = [rest, "", "", []];
   } else if (word === "a") {
     a = rest;
   } else if (word === "b") {
     b = rest;
+  } else if (word === "container" || word === "member") {
+    scene.push(line);
   } else if (word !== "" && word !== "#") {
-    const operands = [a, b];
+    const operands = [a, b, scene];
     const read = exactLine.test(line) ? (text) => text : readNumbers;
     const expected = line.endsWith(onePart) ? "GCV_OK" : line.slice(line.indexOf("GCV_"));
     test(`${name}: ${word}`, () => {
