@@ -31,13 +31,14 @@ class DefaultFloatingPoint {
     if (!is_default_) {
       static_cast<void>(std::fegetenv(&callers_));
       static_cast<void>(std::fesetenv(FE_DFL_ENV));
-      set_control(default_control);  // which mingw-w64 leaves as it is
+      set_control(default_control);  // the functions of mingw-w64 do not set all of it
     }
   }
   ~DefaultFloatingPoint() {
     if (!is_default_) {
       static_cast<void>(std::fesetenv(&callers_));
-    } else if (control() != control_) {
+    }
+    if (control() != control_) {
       set_control(control_);
     }
   }
