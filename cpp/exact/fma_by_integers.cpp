@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
+#include "fma_by_integers.hpp"
+
 #include "fma.hpp"
 
 #ifdef __MINGW32__
-
-#include "fma_by_integers.hpp"
 
 namespace gcv {
 
