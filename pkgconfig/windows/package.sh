@@ -3,7 +3,7 @@
 #
 # Builds the library for Windows in the folder BUILD, and packs what programs are built with there:
 # BUILD/gcv-<version>-windows-x86_64.zip. Takes Debian's packages g++-mingw-w64-x86-64-posix,
-# libboost-dev, lld-14, cmake, ninja-build and pkg-config.
+# libboost-dev, llvm-14, cmake, ninja-build and pkg-config.
 # Usage: package.sh BUILD [CMAKE-ARGUMENT ...]
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -26,7 +26,7 @@ cp /usr/share/doc/mingw-w64-x86-64-dev/copyright "$name/LICENSE.mingw-w64"
 
 # The import library of Microsoft's format. Functions are found by name, not by number.
 sed -i 's/ @[0-9]*$//; 1i LIBRARY gcv.dll' "$name/lib/gcv.def"
-lld-link-14 /lib "/def:$name/lib/gcv.def" "/out:$name/lib/gcv.lib" /machine:x64
+llvm-dlltool-14 -m i386:x86-64 -d "$name/lib/gcv.def" -l "$name/lib/gcv.lib"
 
 cmake -E tar cf "$name.zip" --format=zip "$name"
 echo "$PWD/$name.zip"

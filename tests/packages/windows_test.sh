@@ -31,12 +31,14 @@ missing=()
 need() { command -v "$1" > /dev/null || missing+=("$2"); }
 need x86_64-w64-mingw32-g++-posix g++-mingw-w64-x86-64-posix
 need "$wine" wine64
+need llvm-dlltool-14 llvm-14
 need lld-link-14 lld-14
 [ ${#missing[@]} -eq 0 ] || fail "packages are missing: apt-get install ${missing[*]}"
 
 # A Windows of its own, without windows on a screen, which starts once.
 export WINEPREFIX=$scratch/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="
 unset DISPLAY
+mkdir -p "$WINEPREFIX"
 /usr/lib/wine/wineserver64 -p
 trap '/usr/lib/wine/wineserver64 -k || true' EXIT
 run wine "$wine" wineboot
