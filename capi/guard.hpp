@@ -5,6 +5,11 @@
 // the caller's environment is restored.
 #pragma once
 
+#if defined(__x86_64__) || defined(_M_X64)
+#define GCV_SSE
+#include <xmmintrin.h>
+#endif
+
 #include <cfenv>
 
 #include "error.hpp"
@@ -26,12 +31,14 @@ class DefaultFloatingPoint {
     if (!is_default_) {
       static_cast<void>(std::fegetenv(&callers_));
       static_cast<void>(std::fesetenv(FE_DFL_ENV));
+      set_control(default_control);  // the functions of mingw-w64 do not set all of it
     }
   }
   ~DefaultFloatingPoint() {
     if (!is_default_) {
       static_cast<void>(std::fesetenv(&callers_));
-    } else if (control() != control_) {
+    }
+    if (control() != control_) {
       set_control(control_);
     }
   }
@@ -39,17 +46,18 @@ class DefaultFloatingPoint {
   DefaultFloatingPoint& operator=(const DefaultFloatingPoint&) = delete;
 
  private:
-#ifdef __x86_64__
+#ifdef GCV_SSE
   // The control register of SSE, in which everything is computed. The C library would also save and
   // set that of the x87 unit. That takes longer than a small sum.
-  static unsigned control() { return __builtin_ia32_stmxcsr(); }
-  static void set_control(unsigned control) { __builtin_ia32_ldmxcsr(control); }
+  static constexpr unsigned default_control = 0x1f80;
+  static unsigned control() { return _mm_getcsr(); }
+  static void set_control(unsigned control) { _mm_setcsr(control); }
   static bool is_default(unsigned control) {
     constexpr unsigned flags = 0x3f;
-    constexpr unsigned no_traps = 0x1f80;
-    return (control & ~flags) == no_traps && std::fegetround() == FE_TONEAREST;
+    return (control & ~flags) == default_control && std::fegetround() == FE_TONEAREST;
   }
 #else
+  static constexpr unsigned default_control = 0;
   static unsigned control() { return 0; }
   static void set_control(unsigned /*control*/) {}
   static bool is_default(unsigned /*control*/) { return false; }

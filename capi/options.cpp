@@ -11,7 +11,7 @@
 #include "parallel.hpp"
 #include "text_of.hpp"
 
-#ifdef gcv_EXPORTS
+#if defined(gcv_EXPORTS) && defined(__ELF__)
 // Programs that were linked with version 0.1 keep the function that writes the struct of then.
 extern "C" GCV_API void gcv_options_init_0_1(gcv_options* options);
 __asm__(".symver gcv_options_init_0_1, gcv_options_init@GCV_0.1");
@@ -136,7 +136,7 @@ void gcv_options_init(gcv_options* options) {
   }
 }
 
-#ifdef gcv_EXPORTS
+#if defined(gcv_EXPORTS) && defined(__ELF__)
 void gcv_options_init_0_1(gcv_options* options) {
   gcv_options_init_size(options, gcv::capi::size_0_1);
 }

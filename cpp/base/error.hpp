@@ -7,6 +7,13 @@
 #include <cstdint>
 #include <exception>
 
+// mingw-w64 has two printf: that of the C standard, which C++ gets, and that of Windows.
+#ifdef __MINGW32__
+#define GCV_PRINTF gnu_printf
+#else
+#define GCV_PRINTF printf
+#endif
+
 namespace gcv {
 
 // The values are those of gcv_status.
@@ -30,7 +37,7 @@ class Error : public std::exception {
   static constexpr int capacity = 512;
 
   // Takes a format as printf does. Cuts messages that are longer than the buffer.
-  [[gnu::format(printf, 3, 4)]] Error(Status status, const char* format, ...) noexcept;
+  [[gnu::format(GCV_PRINTF, 3, 4)]] Error(Status status, const char* format, ...) noexcept;
 
   [[nodiscard]] Status status() const noexcept { return status_; }
   [[nodiscard]] const char* what() const noexcept override { return message_; }

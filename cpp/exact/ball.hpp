@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "double_double.hpp"
+#include "fma.hpp"
 
 namespace gcv {
 
@@ -45,7 +46,7 @@ inline Ball operator+(const Ball& p, const Ball& q) {
 // Leaves out lo times lo.
 inline Ball operator*(const Ball& p, const Ball& q) {
   const double hi = p.hi * q.hi;
-  const double lo = std::fma(p.hi, q.hi, -hi) + (p.hi * q.lo + p.lo * q.hi);
+  const double lo = gcv::fma(p.hi, q.hi, -hi) + (p.hi * q.lo + p.lo * q.hi);
   const double error = 2 * (std::abs(p.hi) * q.error + std::abs(q.hi) * p.error) +
                        2 * p.error * q.error + ball_roundoff * std::abs(hi);
   return Ball::normal(hi, lo, error);
@@ -54,7 +55,7 @@ inline Ball operator*(const Ball& p, const Ball& q) {
 // Infinite error where d may be 0.
 inline Ball operator/(const Ball& p, const Ball& d) {
   const double hi = p.hi / d.hi;
-  const double lo = ((std::fma(-hi, d.hi, p.hi) + p.lo) - hi * d.lo) / d.hi;
+  const double lo = ((gcv::fma(-hi, d.hi, p.hi) + p.lo) - hi * d.lo) / d.hi;
   const double size = std::abs(d.hi);
   const double error = 4 * (p.error + std::abs(hi) * d.error) / size + ball_roundoff * std::abs(hi);
   return Ball::normal(hi, lo, size > 4 * d.error ? error : infinity);
@@ -64,7 +65,7 @@ inline Ball operator/(const Ball& p, const Ball& d) {
 // that of x, relatively, for |e| below 1/4.
 inline Ball square_root(const Ball& x) {
   const double hi = std::sqrt(x.hi);
-  const double lo = (std::fma(-hi, hi, x.hi) + x.lo) / (2 * hi);
+  const double lo = (gcv::fma(-hi, hi, x.hi) + x.lo) / (2 * hi);
   const double error = 2 * x.error / hi + ball_roundoff * hi;
   return Ball::normal(hi, lo, x.hi > 4 * x.error ? error : infinity);
 }

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "fma.hpp"
 #include "point.hpp"
 
 namespace gcv {
@@ -121,8 +122,8 @@ inline DoubleDoubleCross double_double_cross(const DoubleDoubleVector& v,
   const double left = vx.hi * wy.hi;
   const double right = vy.hi * wx.hi;
   const double difference = left - right;
-  const double left_error = std::fma(vx.hi, wy.hi, -left);
-  const double right_error = std::fma(vy.hi, wx.hi, -right);
+  const double left_error = gcv::fma(vx.hi, wy.hi, -left);
+  const double right_error = gcv::fma(vy.hi, wx.hi, -right);
   const double difference_error = rounding_error(left, -right, difference);
   const bool in_range = size >= 0x1p-900 && size <= 0x1p1000;
   if (in_range && difference_error == 0 && vx.is_double() && vy.is_double() && wx.is_double() &&
@@ -162,7 +163,7 @@ inline DoubleDoubleParameter double_double_parameter(const SumEdge& s, const Sum
       double_double_cross(direction, double_double_vector(s.origin, t.origin));
   const DoubleDoubleCross d = double_double_cross(direction, double_double_vector(s.from, s.to));
   const double hi = n.hi / d.hi;
-  const double lo = ((std::fma(-hi, d.hi, n.hi) + n.lo) - hi * d.lo) / d.hi;
+  const double lo = ((gcv::fma(-hi, d.hi, n.hi) + n.lo) - hi * d.lo) / d.hi;
   const double size = std::abs(hi);
   const double error =
       2 * (n.error + size * d.error) / std::abs(d.hi) + 32 * unit_roundoff * unit_roundoff * size;

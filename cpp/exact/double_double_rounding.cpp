@@ -5,6 +5,7 @@
 
 #include "ball.hpp"
 #include "double_double.hpp"
+#include "fma.hpp"
 
 namespace gcv {
 
@@ -65,8 +66,8 @@ std::optional<double> exact_way(const DoubleDoubleParameter& lambda, const Doubl
   }
   const double product = lambda.n * d.hi;
   const double quotient = product / lambda.d;
-  if (is_exact_product(lambda.n, d.hi, product, std::fma(lambda.n, d.hi, -product)) &&
-      is_exact_product(quotient, lambda.d, product, std::fma(quotient, lambda.d, -product))) {
+  if (is_exact_product(lambda.n, d.hi, product, gcv::fma(lambda.n, d.hi, -product)) &&
+      is_exact_product(quotient, lambda.d, product, gcv::fma(quotient, lambda.d, -product))) {
     return quotient;
   }
   return std::nullopt;
@@ -100,7 +101,7 @@ std::optional<RoundedNumber> rounded_coordinate(const Origin& origin,
     return rounded_way(origin, *way, 0, origin.error);
   }
   const double way = lambda.hi * d.hi;
-  const double lo = std::fma(lambda.hi, d.hi, -way) + (lambda.hi * d.lo + lambda.lo * d.hi);
+  const double lo = gcv::fma(lambda.hi, d.hi, -way) + (lambda.hi * d.lo + lambda.lo * d.hi);
   const double error = 2 * (std::abs(d.hi) * lambda.error + origin.error +
                             16 * unit_roundoff * unit_roundoff * std::abs(way)) +
                        underflow;
@@ -153,8 +154,8 @@ std::optional<RoundedNumber> rounded_affine(double xx, double xy, double x0, con
   }
   const double first = xx * p.x;
   const double second = xy * p.y;
-  const double first_error = std::fma(xx, p.x, -first);
-  const double second_error = std::fma(xy, p.y, -second);
+  const double first_error = gcv::fma(xx, p.x, -first);
+  const double second_error = gcv::fma(xy, p.y, -second);
   const Origin sum(first, second, x0);
   const double errors = first_error + second_error;
   const double lo = sum.lo + errors;

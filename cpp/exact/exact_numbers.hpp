@@ -23,14 +23,17 @@
 
 namespace gcv {
 
-// NOLINTNEXTLINE(modernize-use-using): `using` has no place for __extension__.
-__extension__ typedef __int128 Int128;
-
 template <unsigned bits>
 using FixedInteger = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<bits, bits, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,
     boost::multiprecision::et_off>;
+#ifdef __SIZEOF_INT128__
+// NOLINTNEXTLINE(modernize-use-using): `using` has no place for __extension__.
+__extension__ typedef __int128 Int128;
+#else
+using Int128 = FixedInteger<128>;
+#endif
 using Int256 = FixedInteger<256>;
 using Int512 = FixedInteger<512>;
 

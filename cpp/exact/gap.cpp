@@ -9,6 +9,7 @@
 #include "double_double.hpp"
 #include "double_double_rounding.hpp"
 #include "exact_numbers.hpp"
+#include "fma.hpp"
 #include "predicates.hpp"
 #include "to_double.hpp"
 
@@ -77,8 +78,8 @@ std::optional<double> exact_length(const DoubleDoubleVector& v) {
   const double y = v.y.hi * v.y.hi;
   const double sum = x + y;
   const double root = std::sqrt(sum);
-  const bool is_exact = std::fma(v.x.hi, v.x.hi, -x) == 0 && std::fma(v.y.hi, v.y.hi, -y) == 0 &&
-                        rounding_error(x, y, sum) == 0 && std::fma(root, root, -sum) == 0;
+  const bool is_exact = gcv::fma(v.x.hi, v.x.hi, -x) == 0 && gcv::fma(v.y.hi, v.y.hi, -y) == 0 &&
+                        rounding_error(x, y, sum) == 0 && gcv::fma(root, root, -sum) == 0;
   return is_exact ? std::optional(root) : std::nullopt;
 }
 
@@ -132,7 +133,7 @@ std::optional<double> quotient_below(double n, double d) {
   if (!gcv::is_in_range(n) || !gcv::is_in_range(d) || !gcv::is_in_range(quotient)) {
     return std::nullopt;
   }
-  const double remainder = std::fma(-quotient, d, n);
+  const double remainder = gcv::fma(-quotient, d, n);
   const bool is_above = remainder != 0 && (remainder < 0) != (d < 0);
   return is_above ? std::nextafter(quotient, -1.0) : quotient + 0.0;
 }

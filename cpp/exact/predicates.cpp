@@ -16,6 +16,7 @@
 
 #include "double_double.hpp"
 #include "exact_predicates.hpp"
+#include "fma.hpp"
 
 namespace gcv {
 
@@ -82,7 +83,7 @@ std::optional<int> compare_products(double a, double b, double c, double d) {
   if (!(std::abs(left) >= 0x1p-900 && std::abs(left) <= 0x1p1000)) {
     return std::nullopt;
   }
-  return sign_of(std::fma(a, b, -left) - std::fma(c, d, -right));
+  return sign_of(gcv::fma(a, b, -left) - gcv::fma(c, d, -right));
 }
 
 // The sign of v x w (see double_double_cross). Nothing if it is too close to 0 or out of range.

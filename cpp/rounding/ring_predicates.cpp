@@ -10,6 +10,7 @@
 
 #include "double_double.hpp"
 #include "exact_coordinates.hpp"
+#include "fma.hpp"
 #include "predicates.hpp"
 
 namespace gcv {
@@ -63,7 +64,7 @@ std::optional<int> side_in_doubles(const SumEdge& line, const SumEdge& s, const 
   const DoubleDoubleParameter lambda = double_double_parameter(s, t);
   const double way = lambda.hi * along.hi;
   const double way_lo =
-      std::fma(lambda.hi, along.hi, -way) + (lambda.hi * along.lo + lambda.lo * along.hi);
+      gcv::fma(lambda.hi, along.hi, -way) + (lambda.hi * along.lo + lambda.lo * along.hi);
   const double hi = offset.hi + way;
   const double value = hi + (rounding_error(offset.hi, way, hi) + (offset.lo + way_lo));
   const double error = offset.error + (2 * std::abs(lambda.hi) + lambda.error) * along.error +

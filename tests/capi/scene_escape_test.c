@@ -46,7 +46,7 @@ static int stays(const gcv_scene *scene, const gcv_polygon *moving, double x, do
 static int is_stuck(const gcv_scene *scene, const gcv_polygon *moving, double x, double y,
                     const gcv_query *query) {
   const gcv_escape e = escape_at(scene, moving, x, y, query);
-  return isinf(e.depth) && e.depth > 0 && e.translation[0] == 0 && e.translation[1] == 0 &&
+  return e.depth == INFINITY && e.translation[0] == 0 && e.translation[1] == 0 &&
          e.position[0] == x && e.position[1] == y && e.relation == GCV_OVERLAPPING &&
          e.reserved == 0 && is_none(&e.contact);
 }
@@ -153,7 +153,7 @@ static void queries_and_options(void) {
   CHECK(leads(scene, room, 1, 1, &query, -1, -1, 1));
   options.leave_out = GCV_LEAVE_OUT_FITS;
   CHECK_OK(gcv_scene_penetration(scene, room, origin, 1, &query, &options, &e));
-  CHECK(isinf(e.depth) && e.relation == GCV_OVERLAPPING && e.position[0] == 1);
+  CHECK(e.depth == INFINITY && e.relation == GCV_OVERLAPPING && e.position[0] == 1);
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(room);
   gcv_polygon_destroy(unit);

@@ -2,20 +2,21 @@
  *
  * Calls without memory: the first, the second, ... allocation and all after it fail, until one more
  * would have been enough. For that, the program has a malloc of its own, which a sanitizer or
- * valgrind would not allow: GCV_STARVES says whether it has.
+ * valgrind would not allow, and which a DLL would not see: GCV_STARVES says whether it has.
  */
 #ifndef GCV_TESTS_CAPI_STARVE_H
 #define GCV_TESTS_CAPI_STARVE_H
 
 #include <stdlib.h>
-#include <sys/types.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "handles.h"
 
 #if !defined(GCV_SANITIZED) && defined(__linux__)
 #define GCV_STARVES 1
+
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 extern void *__libc_malloc(size_t size);
 extern void __libc_free(void *block);
@@ -77,7 +78,7 @@ static void starve_in_child(const char *name, gcv_status (*call)(void)) {
 #define GCV_STARVES 0
 
 static inline int skip(void) {
-  fprintf(stderr, "skipped: the sanitizers have a malloc of their own\n");
+  fprintf(stderr, "skipped: the sanitizers, and Windows, have a malloc of their own\n");
   return SKIPPED;
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "correct_rounding.hpp"
+#include "exact_vertices.hpp"
 
 namespace gcv::test {
 

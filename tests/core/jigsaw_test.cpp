@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "data.hpp"
+#include "exact_vertices.hpp"
 #include "handles.hpp"
 #include "jigsaw_maker.hpp"
 #include "nesting_data.hpp"

@@ -10,8 +10,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
-#include "exact_geometry.hpp"
+#include "invariants.hpp"
 
 namespace gcv::invariants {
 
@@ -76,29 +77,6 @@ std::vector<Element> elements(gcv_status (*get)(const Handle*, Element*, std::si
 inline bool all_finite(const Polygon& polygon) {
   return std::all_of(polygon.begin(), polygon.end(),
                      [](const Point& p) { return std::isfinite(p[0]) && std::isfinite(p[1]); });
-}
-
-// The points of `count` exact vertices: read(k, text, capacity, required) gives the text of one.
-template <class Read>
-Ring exact_points(std::size_t count, Read read) {
-  Ring points;
-  for (std::size_t k = 0; k < count; ++k) {
-    std::size_t length = 0;
-    require(read(k, nullptr, std::size_t{0}, &length), "a length");
-    std::string text(length, ' ');
-    require(read(k, text.data(), length, &length), "an exact vertex");
-    const std::size_t space = text.find(' ');
-    points.push_back(
-        {Rational(text.substr(0, space)), Rational(text.substr(space + 1, length - space - 2))});
-  }
-  return points;
-}
-
-inline Ring exact_ring(const gcv_outer_face* face) {
-  std::size_t count = 0;
-  require(gcv_outer_face_exact_vertex_count(face, &count), "the number of exact vertices");
-  return exact_points(
-      count, [&](auto... arguments) { return gcv_outer_face_exact_vertex(face, arguments...); });
 }
 
 }  // namespace gcv::invariants

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "exact_geometry.hpp"
+#include "exact_vertices.hpp"
 #include "handles.hpp"
 
 namespace gcv::invariants {

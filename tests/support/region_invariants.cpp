@@ -15,6 +15,7 @@
 
 #include "exact_geometry.hpp"
 #include "exact_pieces.hpp"
+#include "exact_vertices.hpp"
 #include "frame.hpp"
 #include "handles.hpp"
 #include "invariants.hpp"

@@ -10,6 +10,7 @@
 
 #include "exact_containment.hpp"
 #include "exact_geometry.hpp"
+#include "exact_vertices.hpp"
 #include "handles.hpp"
 #include "invariants.hpp"
 

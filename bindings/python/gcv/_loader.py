@@ -6,12 +6,14 @@ from __future__ import annotations
 
 import ctypes.util
 import os
+import sys
 from collections.abc import Iterator
 from ctypes import CDLL
 from pathlib import Path
 from typing import Optional
 
-_FILE = "libgcv.so.0"
+_FILES = {"win32": "gcv.dll", "darwin": "libgcv.dylib"}
+"""The name of the library's file, by sys.platform. Elsewhere it is the SONAME."""
 
 
 def load() -> CDLL:
@@ -40,8 +42,9 @@ def _candidates() -> Iterator[tuple[str, Optional[str]]]:
             raise ImportError(f"GCV_LIBRARY is not an absolute path: {chosen!r}")
         yield "the environment variable GCV_LIBRARY", chosen
         return
-    yield "the file beside the package", str(Path(__file__).absolute().with_name(_FILE))
-    yield "the dynamic loader", _FILE
+    file = _FILES.get(sys.platform, "libgcv.so.0")
+    yield "the file beside the package", str(Path(__file__).absolute().with_name(file))
+    yield "the dynamic loader", file
     yield "ctypes.util.find_library", ctypes.util.find_library("gcv")
 
 

@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-import ctypes
+import ctypes.util
 import os
 import re
 import shutil
@@ -17,7 +17,7 @@ import pytest
 from shapes import BINDING, REPOSITORY
 
 import gcv
-from gcv import _ffi, _structs
+from gcv import _ffi, _loader, _structs
 
 LIBRARY = os.environ["GCV_LIBRARY"]
 HEADER = REPOSITORY / "capi/include/gcv/gcv.h"
@@ -133,6 +133,20 @@ def test_library_beside_the_package(tmp_path: Path) -> None:
     package = shutil.copytree(BINDING / "gcv", tmp_path / "gcv")
     shutil.copy(LIBRARY, package / "libgcv.so.0")
     assert str(package / "libgcv.so.0") in run_import(None, "/", tmp_path).stdout
+
+
+@pytest.mark.parametrize(
+    ("platform", "name"),
+    [("linux", "libgcv.so.0"), ("darwin", "libgcv.dylib"), ("win32", "gcv.dll")],
+)
+def test_name_of_the_file(monkeypatch: pytest.MonkeyPatch, platform: str, name: str) -> None:
+    monkeypatch.delenv("GCV_LIBRARY", raising=False)
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setattr(ctypes.util, "find_library", lambda name: f"found {name}")
+    names = [candidate for _, candidate in _loader._candidates()]
+    assert names == [str(BINDING / "gcv" / name), name, "found gcv"]
+    monkeypatch.setenv("GCV_LIBRARY", LIBRARY)
+    assert [candidate for _, candidate in _loader._candidates()] == [LIBRARY]
 
 
 def test_without_numpy() -> None:

@@ -64,11 +64,17 @@
 #define GCV_VERSION_MINOR 2
 #define GCV_VERSION_PATCH 0
 
-#if defined(__GNUC__)
+#if defined(_WIN32) && defined(gcv_EXPORTS)
+#define GCV_API __declspec(dllexport)
+#elif defined(__GNUC__) && !defined(_WIN32)
 #define GCV_API __attribute__((visibility("default")))
-#define GCV_NODISCARD __attribute__((warn_unused_result))
 #else
 #define GCV_API
+#endif
+
+#if defined(__GNUC__)
+#define GCV_NODISCARD __attribute__((warn_unused_result))
+#else
 #define GCV_NODISCARD
 #endif
 
