@@ -12,8 +12,8 @@ from typing import Any
 Points = Sequence[tuple[float, float]]
 
 _SIZE, _MARGIN = 400.0, 10.0
-_COLOURS = ("#8da0cb", "#66c2a5", "#fc8d62")
-_FIT_COLOUR = "#d7301f"
+COLOURS = ("#8da0cb", "#66c2a5", "#fc8d62")
+FIT_COLOUR = "#d7301f"
 GROUND_COLOUR = "#f0f0f0"
 _DOT = 3.0
 
@@ -52,9 +52,9 @@ def svg(
 
     def fit(ends: Points) -> str:
         if len(ends) == 2:
-            return f'<path d="M{path(ends)}" stroke="{_FIT_COLOUR}" stroke-width="2"/>'
+            return f'<path d="M{path(ends)}" stroke="{FIT_COLOUR}" stroke-width="2"/>'
         x, y = place(ends[0])
-        return f'<circle cx="{x}" cy="{y}" r="{_DOT}" fill="{_FIT_COLOUR}"/>'
+        return f'<circle cx="{x}" cy="{y}" r="{_DOT}" fill="{FIT_COLOUR}"/>'
 
     def area(rings: Sequence[Points], colour: str, opacity: float) -> str:
         return (
@@ -64,9 +64,7 @@ def svg(
 
     width = 2 * _MARGIN + columns * pixels
     height = 2 * _MARGIN + rows * pixels
-    paths = [
-        area(rings, _COLOURS[k % len(_COLOURS)], 0.5) for k, rings in enumerate(layers) if rings
-    ]
+    paths = [area(rings, COLOURS[k % len(COLOURS)], 0.5) for k, rings in enumerate(layers) if rings]
     if ground:
         paths.insert(0, area(ground, GROUND_COLOUR, 1))
     return (
@@ -87,7 +85,7 @@ def plot(rings: Sequence[Points], fits: Sequence[Points], ax: Any, style: dict[s
         if len(rings) > 1:
             _put_all(patch, rings)
     for ends in fits:
-        ax.plot(*zip(*ends), color=_FIT_COLOUR, marker="" if len(ends) == 2 else "o")
+        ax.plot(*zip(*ends), color=FIT_COLOUR, marker="" if len(ends) == 2 else "o")
     return ax
 
 

@@ -208,7 +208,7 @@ class Polygon(Shape):
         Every number has the fewest digits for that.
         """
         rings = (
-            ", ".join(f"{_digits(x)} {_digits(y)}" for x, y in (*ring, ring[0]))
+            ", ".join(f"{digits(x)} {digits(y)}" for x, y in (*ring, ring[0]))
             for ring in self._ring_points()
         )
         return f"POLYGON (({'), ('.join(rings)}))"
@@ -371,6 +371,7 @@ def _polygon_of(
     return Polygon._of(given, handle, maps)
 
 
-def _digits(value: float) -> str:
-    digits = repr(value)
-    return digits[:-2] if digits.endswith(".0") else digits
+def digits(value: float) -> str:
+    """The number with the fewest digits that read back to it."""
+    text = repr(value)
+    return text[:-2] if text.endswith(".0") else text

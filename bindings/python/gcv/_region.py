@@ -278,13 +278,16 @@ class Region(Result):
         if self._handle:
             located = located_by_library(self._handle, doubles)
         else:
-            located = located_in_fractions(doubles, *self._exact_rings_and_fits())
+            polygons, fits = self._exact_polygons_and_fits()
+            rings = [ring for rings in polygons for ring in rings]
+            located = located_in_fractions(doubles, rings, fits)
         return location(located) if is_one else locations(located)
 
-    def _exact_rings_and_fits(self) -> tuple[list[ExactPoints], list[ExactPoints]]:
+    def _exact_polygons_and_fits(self) -> tuple[list[list[ExactPoints]], list[ExactPoints]]:
+        """The rings of each exact polygon, and the exact segments and points."""
         parts, vertices = self.exact_parts, self.exact
         fits = [vertices[part.start : part.stop] for part in parts if part.polygon is None]
-        return [ring for polygon in by_polygon(parts, vertices) for ring in polygon], fits
+        return by_polygon(parts, vertices), fits
 
     @property
     def __geo_interface__(self) -> dict[str, Any]:

@@ -51,6 +51,8 @@ END
 echo "POLYGON ((0 0, 1 0, 1 1, 0 1))" > "$elsewhere/square.wkt"
 sum=$(cd "$elsewhere" && venv/bin/python -m gcv square.wkt square.wkt)
 [ "$sum" = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))" ] || fail "the sum is $sum"
+same=$("$elsewhere/venv/bin/gcv" sum "$elsewhere/square.wkt" - < "$elsewhere/square.wkt")
+[ "$same" = "$sum" ] || fail "the program says $same"
 
 "$python" -m build --no-isolation --sdist -o "$elsewhere/sdist" "$binding"
 tar -xzf "$elsewhere"/sdist/*.tar.gz -C "$elsewhere/sdist"

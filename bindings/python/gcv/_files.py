@@ -1,0 +1,81 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""What the program reads: polygons, and tables of points."""
+
+from __future__ import annotations
+
+import math
+import sys
+from codecs import BOM_UTF8
+from pathlib import Path
+from typing import Callable, Optional
+
+from ._coordinates import Points
+from ._dxf_files import polygons_of_dxf
+from ._named import NamedPolygon, Reading, invalid
+from ._svg_files import polygons_of_svg
+from ._text_files import polygons_of_geojson, polygons_of_wkt
+
+STANDARD_INPUT = "-"
+
+
+def read_polygons(
+    file: str, flatten: Optional[float], note: Callable[[str], None]
+) -> list[NamedPolygon]:
+    """All polygons of a file; whether it is WKT, GeoJSON, SVG or DXF is told by its bytes.
+
+    flatten: how far lines may be from curves; None where there may be none. note is told
+    in a sentence of what the file has beside polygons.
+
+    Raises InputError where there is no polygon, or one that is none; OSError where the
+    file cannot be read.
+    """
+    name, data = _read(file)
+    reading = Reading(name, flatten, note)
+    polygons = _reader_of(data)(data, reading)
+    if not polygons:
+        raise invalid(name, "there is no polygon in this file")
+    return polygons
+
+
+def _reader_of(data: bytes) -> Callable[[bytes, Reading], list[NamedPolygon]]:
+    start = data[:64].lstrip()
+    if start.startswith(b"{"):
+        return polygons_of_geojson
+    if start.startswith(b"<"):
+        return polygons_of_svg
+    # The first group code of a drawing is that of a section or of a comment.
+    if start.startswith(b"AutoCAD Binary DXF") or start.split(None, 1)[:1] in ([b"0"], [b"999"]):
+        return polygons_of_dxf
+    return polygons_of_wkt
+
+
+def read_points(file: str) -> Points:
+    """The points of a table: on each line an x and a y, with a comma or blanks between.
+
+    Empty lines are left out, and what begins with a #.
+    """
+    name, data = _read(file)
+    points: Points = []
+    for number, line in enumerate(data.decode(errors="replace").splitlines(), 1):
+        words = line.partition("#")[0].replace(",", " ").split()
+        if words:
+            try:
+                x, y = map(float, words)
+            except ValueError:
+                x = y = math.nan
+            if not (math.isfinite(x) and math.isfinite(y)):
+                raise invalid(name, f"line {number}: '{line.strip()}' is not a pair of numbers")
+            points.append((x, y))
+    if not points:
+        raise invalid(name, "there is no point in this table")
+    return points
+
+
+def _read(file: str) -> tuple[str, bytes]:
+    """What messages call a file, and its bytes."""
+    if file == STANDARD_INPUT:
+        name, data = "standard input", sys.stdin.buffer.read()
+    else:
+        name, data = file, Path(file).read_bytes()
+    return name, data[len(BOM_UTF8) :] if data.startswith(BOM_UTF8) else data

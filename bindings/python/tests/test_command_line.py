@@ -1,0 +1,372 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The program gcv: its commands, what they print, errors and exit status."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import pytest
+from program import Run, run_program, run_shell
+from shapes import NOTCHED, TRIANGLE
+
+import gcv
+
+SLOT = "POLYGON ((0 0, 6 0, 6 6, 4 6, 4 2, 2 2, 2 6, 0 6))"
+PEG = "POLYGON ((0 0, 2 0, 2 2, 0 2))"
+FILES = {
+    "a.wkt": "POLYGON ((0 0, 8 0, 8 6, 3 1, 0 7))\n",
+    "b.wkt": "POLYGON ((0 0, 1 0, 0 1))\n",
+    "slot.wkt": SLOT,
+    "peg.wkt": PEG,
+    "two.wkt": f"{SLOT}\n{PEG}\n",
+    "bow tie.wkt": "POLYGON ((0 0, 2 2, 2 0, 0 2))\n",
+    "table.txt": "# x y\n10 0\n\n8.5, 0 # near\n0 0\n",
+}
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    for name, text in FILES.items():
+        (tmp_path / name).write_text(text)
+    return tmp_path
+
+
+def output(folder: Path, command: str, text: str = "") -> str:
+    """What a command prints, which must not fail."""
+    run = run_program(folder, *command.split(), text=text)
+    assert (run.stderr, run.returncode) == ("", 0)
+    return run.stdout
+
+
+def as_json(folder: Path, command: str) -> Any:
+    return json.loads(output(folder, f"{command} --format json"))
+
+
+def failure(run: Run, status: int) -> str:
+    """The message of a run that failed with this status: one sentence, where it is no usage."""
+    assert (run.stdout, run.returncode) == ("", status)
+    assert "Traceback" not in run.stderr
+    if status == 1:
+        assert run.stderr.startswith("gcv: ")
+        assert run.stderr.count("\n") == 1
+    return run.stderr
+
+
+@pytest.mark.parametrize("command", ["sum a.wkt b.wkt", "a.wkt b.wkt", "--threads 2 a.wkt b.wkt"])
+def test_sum(folder: Path, command: str) -> None:
+    assert output(folder, command) == gcv.minkowski_sum(NOTCHED, TRIANGLE).wkt + "\n"
+
+
+def test_sum_options(folder: Path) -> None:
+    near = gcv.minkowski_sum(NOTCHED, TRIANGLE, tolerance=20, rounding="outward")
+    command = "sum a.wkt b.wkt --tolerance 20 --rounding outward"
+    assert output(folder, command) == near.wkt + "\n"
+    assert output(folder, "sum slot.wkt peg.wkt --region") == (
+        "MULTIPOLYGON (((0 0, 8 0, 8 8, 0 8, 0 0)))\nGEOMETRYCOLLECTION (LINESTRING (4 4, 4 8))\n"
+    )
+    command = "sum slot.wkt peg.wkt --region --leave-out fits --leave-out holes"
+    assert output(folder, command).endswith("\nGEOMETRYCOLLECTION EMPTY\n")
+
+
+def test_nfp(folder: Path) -> None:
+    face = gcv.no_fit_polygon(NOTCHED, TRIANGLE, (0.5, -2e-3))
+    assert output(folder, "nfp a.wkt b.wkt --reference 0.5 -2e-3") == face.wkt + "\n"
+    assert output(folder, "nfp slot.wkt peg.wkt --region --reference 0 1") == (
+        "MULTIPOLYGON (((-2 -1, 6 -1, 6 7, -2 7, -2 -1)))\n"
+        "GEOMETRYCOLLECTION (LINESTRING (2 3, 2 7))\n"
+    )
+
+
+def test_inner_fit(folder: Path) -> None:
+    segments = "LINESTRING (1 0, 1 4), LINESTRING (1 0, 5 0), LINESTRING (5 0, 5 4)"
+    command = "inner-fit slot.wkt peg.wkt --reference 1 0"
+    assert output(folder, command) == (f"MULTIPOLYGON EMPTY\nGEOMETRYCOLLECTION ({segments})\n")
+    assert output(folder, f"{command} --leave-out fits").endswith("\nGEOMETRYCOLLECTION EMPTY\n")
+
+
+def test_free(folder: Path) -> None:
+    (folder / "sheet.wkt").write_text("POLYGON ((0 0, 9 0, 9 6, 0 6))")
+    command = "free slot.wkt peg.wkt --container sheet.wkt"
+    fits = "LINESTRING (2 2, 2 4)"
+    assert output(folder, command) == "MULTIPOLYGON (((6 0, 7 0, 7 4, 6 4, 6 0)))\n" + (
+        f"GEOMETRYCOLLECTION ({fits})\n"
+    )
+    assert output(folder, f"{command} --best -1 0") == "2 2\n"
+    assert as_json(folder, f"{command} --best 1 0") == {"position": [7, 0]}
+    assert output(folder, f"{command} --best -1 0 --leave-out fits") == "6 0\n"
+    window = output(folder, "free slot.wkt peg.wkt --window 0 1 4 3")
+    assert window == "MULTIPOLYGON EMPTY\nGEOMETRYCOLLECTION (LINESTRING (2 2, 2 3))\n"
+    assert output(folder, "free two.wkt peg.wkt --window 6 0 7 1 --pick-b 0").count("\n") == 2
+    (folder / "sheet.wkt").write_text(SLOT)
+    assert output(folder, f"{command} --best 1 0") == "nothing is free\n"
+    assert as_json(folder, f"{command} --best 1 0") == {"position": None}
+
+
+def test_questions(folder: Path) -> None:
+    assert output(folder, "relation slot.wkt peg.wkt --at 2 2") == "touching\n"
+    assert output(folder, "distance slot.wkt peg.wkt --at 9 0") == "3\n"
+    assert output(folder, "cast slot.wkt peg.wkt --at 10 0 --motion -8 0") == (
+        "hit at time 0.5, position 6 0\n"
+    )
+    assert output(folder, "cast slot.wkt peg.wkt --at 10 0 --motion 1 0") == "no hit\n"
+    assert output(folder, "penetration slot.wkt peg.wkt --at 5 0") == "depth 1, position 6 0\n"
+    assert output(folder, "contacts slot.wkt peg.wkt --at 6 6.5") == ""
+    contacts = output(folder, "contacts slot.wkt peg.wkt --at 6 6.5 --distance 0.5").splitlines()
+    assert contacts[0] == "edge 1 of A, vertex 0 of B, gap 0.5, at 6 6"
+    assert contacts[2] == "vertex 2 of A, edge 0 of B, gap 0.5, at 6 6"
+    assert contacts[4:] == ["vertex 2 of A, vertex 0 of B, gap 0.5, at 6 6"]
+
+
+def test_questions_as_json(folder: Path) -> None:
+    assert as_json(folder, "relation slot.wkt peg.wkt") == {"relation": "overlapping"}
+    separation = gcv.distance(SLOT, PEG, (9, 0))
+    found = as_json(folder, "distance slot.wkt peg.wkt --at 9 0")
+    assert (found["distance"], found["relation"]) == (3, "apart")
+    assert separation.nearest is not None
+    assert found["nearest"]["kind"] == "edge-vertex"
+    assert found["nearest"]["a"] == separation.nearest.a
+    assert set(found["nearest"]) == {"kind", "a", "b", "gap", "normal", "on_a", "on_b"}
+    found = as_json(folder, "cast slot.wkt peg.wkt --at 10 0 --motion 1 0")
+    assert found["hit"] is False
+    assert found["contact"] is None
+    assert as_json(folder, "penetration slot.wkt peg.wkt --at 5 0")["translation"] == [1, 0]
+    assert len(as_json(folder, "contacts slot.wkt peg.wkt --at 2 2")["contacts"]) == len(
+        gcv.contacts(SLOT, PEG, (2, 2))
+    )
+
+
+def test_positions(folder: Path) -> None:
+    at = "slot.wkt peg.wkt --positions table.txt"
+    assert output(folder, f"relation {at}") == "apart\napart\noverlapping\n"
+    assert output(folder, f"distance {at}") == "4\n2.5\n0\n"
+    assert output(folder, f"cast {at} --motion -4 0").startswith("no hit\nhit at time 0.625")
+    found = as_json(folder, f"penetration {at}")
+    assert [one["at"] for one in found] == [[10, 0], [8.5, 0], [0, 0]]
+    assert [one["relation"] for one in found] == ["apart", "apart", "touching"]
+    assert output(folder, "relation slot.wkt peg.wkt --positions -", "6 0") == "touching\n"
+
+
+def test_without_numpy(folder: Path) -> None:
+    code = "import sys; sys.modules['numpy'] = None; from gcv.__main__ import main; main()"
+    arguments = "distance", "slot.wkt", "peg.wkt", "--positions", "table.txt"
+    run = subprocess.run(
+        [sys.executable, "-c", code, *arguments],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (run.stdout, run.stderr) == ("4\n2.5\n0\n", "")
+
+
+def test_several_polygons(folder: Path) -> None:
+    slot, peg = gcv.Polygon(SLOT), gcv.Polygon(PEG)
+    faces = [slot + slot, slot + peg, peg + slot, peg + peg]
+    assert output(folder, "sum two.wkt two.wkt") == "".join(f"{face.wkt}\n" for face in faces)
+    assert output(folder, "sum two.wkt two.wkt --pick-a 1 --pick-b 0") == f"{faces[2].wkt}\n"
+    moved = [gcv.no_fit_polygon(slot, peg, (1, 2)), gcv.no_fit_polygon(peg, peg, (1, 2))]
+    command = "nfp two.wkt peg.wkt --reference 1 2"
+    assert output(folder, command) == "".join(f"{face.wkt}\n" for face in moved)
+    assert output(folder, f"{command} --region").count("\n") == 4
+    assert output(folder, "inner-fit two.wkt peg.wkt").count("\n") == 4
+    assert output(folder, "simplify two.wkt --tolerance 0").count("\n") == 2
+    assert output(folder, "relation two.wkt two.wkt --at 2 2") == (
+        "0 0 overlapping\n0 1 touching\n1 0 touching\n1 1 touching\n"
+    )
+    found = as_json(folder, "distance two.wkt peg.wkt --positions table.txt")
+    assert [(one["a"], one["at"]) for one in found[:4]] == [
+        *((0, [10, 0]), (0, [8.5, 0]), (0, [0, 0]), (1, [10, 0]))
+    ]
+    collection = json.loads(output(folder, "sum two.wkt peg.wkt --format geojson"))
+    assert [one["properties"] for one in collection["features"]] == [
+        {"a": 0, "error_bound": 0},
+        {"a": 1, "error_bound": 0},
+    ]
+
+
+def test_simplify(folder: Path) -> None:
+    near = gcv.Polygon(NOTCHED).simplified(6, rounding="outward")
+    command = "simplify a.wkt --tolerance 6 --rounding outward"
+    assert output(folder, command) == f"{near.polygon.wkt}\n"
+    feature = json.loads(output(folder, f"{command} --format geojson"))
+    assert feature["properties"] == {"error_bound": near.error_bound}
+
+
+def test_exact(folder: Path) -> None:
+    text = output(folder, "sum a.wkt b.wkt --format exact")
+    assert text == "POLYGON ((0 0, 9 0, 9 6, 8 7, 10/3 7/3, 1 7, 0 8, 0 0))\n"
+    assert output(folder, "nfp slot.wkt peg.wkt --region --format exact") == (
+        output(folder, "nfp slot.wkt peg.wkt --region")
+    )
+    assert output(folder, "simplify - --tolerance 0 --format exact", "POLYGON((0 0,.5 0,0 1))") == (
+        "POLYGON ((0 0, 1/2 0, 0 1, 0 0))\n"
+    )
+    assert output(folder, "inner-fit peg.wkt slot.wkt --format exact") == (
+        "MULTIPOLYGON EMPTY\nGEOMETRYCOLLECTION EMPTY\n"
+    )
+
+
+def test_output_to_a_file(folder: Path) -> None:
+    assert output(folder, "sum a.wkt b.wkt -o sum.wkt") == ""
+    assert (folder / "sum.wkt").read_text() == output(folder, "sum a.wkt b.wkt")
+
+
+def test_pictures(folder: Path) -> None:
+    output(folder, "nfp slot.wkt peg.wkt --region --svg out.svg")
+    assert (folder / "out.svg").read_text().count("<path") == 4
+    output(folder, "free slot.wkt peg.wkt --window 0 0 9 9 --svg out.svg")
+    assert (folder / "out.svg").read_text().count("<path") == 4
+    output(folder, "simplify two.wkt --tolerance 0 --svg out.svg")
+    assert (folder / "out.svg").read_text().count("<path") == 4
+
+
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("", "COMMAND"),
+        ("smu a.wkt b.wkt", "smu"),
+        ("a.wkt", "usage"),
+        ("sum a.wkt b.wkt --rounding up", "up"),
+        ("sum a.wkt b.wkt --tol 1", "--tol"),
+        ("sum a.wkt b.wkt --tolerance nan", "'nan' is not a finite number"),
+        ("sum a.wkt b.wkt --leave-out holes", "--leave-out takes --region"),
+        ("sum a.wkt b.wkt --flatten 0", "'0' is not above 0"),
+        ("sum - -", "standard input"),
+        ("cast a.wkt b.wkt", "--motion"),
+        ("relation a.wkt b.wkt --at 0 0 --positions table.txt", "not allowed"),
+        ("relation a.wkt b.wkt --at 0 x", "'x' is not a finite number"),
+        ("free a.wkt b.wkt", "--container"),
+        ("free a.wkt b.wkt --best 1 0", "--container"),
+        ("free a.wkt b.wkt --container a.wkt --best 1 0 --window 0 0 1 1", "--window"),
+        ("free a.wkt b.wkt --container a.wkt --best 1 0 --format wkt", "--format wkt"),
+        ("free a.wkt b.wkt --container a.wkt --format json", "--format json"),
+        ("completion tcsh", "tcsh"),
+    ],
+)
+def test_wrong_usage(folder: Path, command: str, reason: str) -> None:
+    assert reason in failure(run_program(folder, *command.split()), 2)
+
+
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("sum a.wkt b.wkt --tolerance -1", "tolerance"),
+        ("sum a.wkt none.wkt", "gcv: none.wkt: No such file or directory"),
+        ("sum a.wkt .", "gcv: .: Is a directory"),
+        ("sum a.wkt b.wkt --svg no/where.svg", "gcv: no/where.svg: No such file"),
+        ("sum a.wkt b.wkt -o no/where.wkt", "gcv: no/where.wkt: No such file"),
+        ("sum a.wkt two.wkt --pick-b 2", "two.wkt: there is no polygon 2 in this file of 2"),
+        ("free a.wkt b.wkt --container two.wkt", "two.wkt: a container is one polygon"),
+        ("free a.wkt b.wkt --container a.wkt --best 0 0", "direction"),
+        ("relation a.wkt b.wkt --positions a.wkt", "a.wkt: line 1: 'POLYGON"),
+        ("relation two.wkt b.wkt --at 1e308 1e999", "'1e999' is not"),
+    ],
+)
+def test_failures(folder: Path, command: str, reason: str) -> None:
+    status = 2 if "1e999" in command else 1
+    assert reason in failure(run_program(folder, *command.split()), status)
+
+
+def test_failures_say_where(folder: Path) -> None:
+    run = run_program(folder, "sum", "a.wkt", "bow tie.wkt")
+    assert failure(run, 1).startswith("gcv: bow tie.wkt: polygon: edges 0 and 2")
+    large = "POLYGON ((0 0, 1e308 0, 0 1e308))"
+    run = run_program(folder, "sum", "-", "-", text="")
+    assert run.returncode == 2
+    (folder / "large.wkt").write_text(f"{PEG}\n{large}")
+    run = run_program(folder, "sum", "large.wkt", "-", text=large)
+    assert "large.wkt: polygon 1 and standard input: polygon: " in failure(run, 1)
+    run = run_program(folder, "distance", "large.wkt", "b.wkt", "--at", "-1.7e308", "-1.7e308")
+    assert "large.wkt: polygon 0 and b.wkt: polygon: " in failure(run, 1)
+
+
+def test_broken_pipe_is_quiet(folder: Path) -> None:
+    run = run_shell(folder, "set -o pipefail; gcv sum two.wkt two.wkt | true; echo $?")
+    assert run.stdout in ("0\n", "1\n")
+    program = subprocess.Popen(
+        [sys.executable, "-m", "gcv", "simplify", "-", "--tolerance", "0"],
+        cwd=folder,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert program.stdout is not None
+    program.stdout.close()
+    _, errors = program.communicate(PEG.encode())
+    assert (errors, program.returncode) == (b"", 1)
+
+
+def test_full_disc(folder: Path) -> None:
+    if not os.path.exists("/dev/full"):
+        pytest.skip("there is no /dev/full: writing to a full disc is not tested")
+    run = run_shell(folder, "gcv sum a.wkt b.wkt > /dev/full; echo $?")
+    assert run.stdout == "gcv: No space left on device\n1\n"
+
+
+def test_interrupt(folder: Path) -> None:
+    comb = ", ".join(f"{k} {(k % 2) * 1000 + k * k % 7}" for k in range(4001))
+    (folder / "comb.wkt").write_text(f"POLYGON ((0 -9, {comb}, 4000 -9))")
+    program = subprocess.Popen(
+        [sys.executable, "-m", "gcv", "sum", "comb.wkt", "comb.wkt", "--region"],
+        cwd=folder,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    while len(os.listdir(f"/proc/{program.pid}/task")) < 2:  # until it computes
+        time.sleep(0.01)
+    program.send_signal(signal.SIGINT)
+    out, errors = program.communicate()
+    assert (out, errors, program.returncode) == ("", "gcv: interrupted\n", 130)
+
+
+def test_version_and_help(folder: Path) -> None:
+    assert output(folder, "--version") == gcv.library_version() + "\n"
+    assert "inner-fit" in output(folder, "--help")
+    assert "--reference" in output(folder, "nfp --help")
+
+
+@pytest.mark.parametrize(
+    ("line", "words"),
+    [
+        ("gcv s", {"sum", "simplify"}),
+        ("gcv inner", {"inner-fit"}),
+        ("gcv sum --t", {"--tolerance", "--threads"}),
+        ("gcv sum --format ", {"wkt", "geojson", "svg", "exact"}),
+        ("gcv sum --threads ", set()),
+        ("gcv relation --format j", {"json"}),
+        ("gcv sum sl", {"slot.wkt"}),
+        ("gcv sum --svg bow", {"bow tie.wkt"}),
+        ("gcv completion z", {"zsh"}),
+    ],
+)
+def test_completion_of_bash(folder: Path, line: str, words: set[str]) -> None:
+    script = f"""
+        source <(gcv completion bash)
+        read -ra COMP_WORDS <<< {line!r}
+        [[ {line!r} == *" " ]] && COMP_WORDS+=("")
+        COMP_CWORD=$((${{#COMP_WORDS[@]}} - 1))
+        _gcv
+        printf '%s\\n' "${{COMPREPLY[@]}}"
+    """
+    assert set(filter(None, run_shell(folder, script).stdout.splitlines())) == words
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completion_is_a_script(folder: Path, shell: str) -> None:
+    text = output(folder, f"completion {shell}")
+    for word in ("inner-fit", "reference", "geojson"):
+        assert word in text
+    (folder / "script").write_text(text)
+    if shell != "bash" and run_shell(folder, f"command -v {shell}").returncode != 0:
+        pytest.skip(f"{shell} is not installed: whether it can read its script is not tested")
+    run = run_shell(folder, f"{shell} -n script")
+    assert (run.stdout, run.returncode) == ("", 0)
