@@ -65,19 +65,10 @@ def positions(figure: Figure) -> Axes:
 
 def motion(figure: Figure) -> Axes:
     """A motion up to the first hit."""
-    scene = sheet()
     start: Point = (13, 2)
-    impact = scene.cast(HOUSE, start, (-10, -2.5))
+    impact = sheet().cast(HOUSE, start, (-10, -2.5))
     name = f"hits member {impact.id}, time {impact.time:.3g}"
-    ax = gallery_contacts.cell(figure, "A motion", name, BOX)
-    draw(ax, scene)
-    HOUSE.translated(start).plot(ax, **STYLE_B, alpha=0.8, linewidth=0.8)
-    HOUSE.translated(impact.position).plot(ax, **STYLE_FREE, alpha=0.8, linewidth=1.2)
-    gallery_contacts.draw_way(ax, HOUSE, start, impact.position)
-    if impact.contact is not None:
-        gallery_contacts.draw_contact(ax, impact.contact)
-    ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
-    return ax
+    return way(figure, ("A motion", name), start, impact)
 
 
 def contacts(figure: Figure) -> Axes:
@@ -125,17 +116,23 @@ def best(figure: Figure) -> Axes:
 
 def way_out(figure: Figure) -> Axes:
     """The shortest way out of all overlaps."""
-    scene = sheet()
     start: Point = (9, 3.5)
-    escape = scene.penetration(HOUSE, start)
+    escape = sheet().penetration(HOUSE, start)
     name = f"depth {escape.depth:.3g}, touching member {escape.id}"
-    ax = gallery_contacts.cell(figure, "A way out", name, BOX)
-    draw(ax, scene)
+    return way(figure, ("A way out", name), start, escape)
+
+
+def way(
+    figure: Figure, titles: tuple[str, str], start: Point, end: gcv.Impact | gcv.Escape
+) -> Axes:
+    """How the house goes from where it starts to where it ends, and what it touches there."""
+    ax = gallery_contacts.cell(figure, *titles, BOX)
+    draw(ax, sheet())
     HOUSE.translated(start).plot(ax, **STYLE_B, alpha=0.8, linewidth=0.8)
-    HOUSE.translated(escape.position).plot(ax, **STYLE_FREE, alpha=0.8, linewidth=1.2)
-    gallery_contacts.draw_way(ax, HOUSE, start, escape.position)
-    if escape.contact is not None:
-        gallery_contacts.draw_contact(ax, escape.contact)
+    HOUSE.translated(end.position).plot(ax, **STYLE_FREE, alpha=0.8, linewidth=1.2)
+    gallery_contacts.draw_way(ax, HOUSE, start, end.position)
+    if end.contact is not None:
+        gallery_contacts.draw_contact(ax, end.contact)
     ax.axis((BOX[0], BOX[2], BOX[1], BOX[3]))
     return ax
 

@@ -224,22 +224,32 @@ void append(RoundedRegion&& island, std::size_t first, RoundedRegion& region) {
   region.parts_dropped += island.parts_dropped;
 }
 
-// Segments and points whose vertices are doubles.
+// At least the extents of what rounds to these points. The two roundings beside those of
+// length_bound() are within its factor.
+double extents_bound(const PointVector& points) {
+  const Box box = box_of(std::span<const Point>(points));
+  const Point units = units_in_last_place(points);
+  return length_bound(box.x1 - box.x0 + units.x, box.y1 - box.y0 + units.y);
+}
+
+// Segments and points whose vertices are doubles. The others are dropped, and count with their
+// extents.
 void add_exact_fits(const ExactRegion& exact, Tally& tally, RoundedRegion& region) {
   for (const RegionPart& part : exact.parts) {
     if (part.is_ring()) {
       continue;
     }
-    std::vector<Point> vertices;
+    PointVector vertices;
+    bool is_exact = true;
     for (std::size_t k = part.first; k < part.end(); ++k) {
       const RoundedVertex v =
           rounded_vertex(*exact.a.ring, *exact.b.ring, exact.vertices[k], exact.shift, tally);
-      if (v.x.exact && v.y.exact) {
-        vertices.push_back({v.x.value, v.y.value});
-      }
+      vertices.push_back({v.x.value, v.y.value});
+      is_exact = is_exact && v.x.exact && v.y.exact;
     }
-    if (vertices.size() < part.size) {
+    if (!is_exact) {
       ++region.parts_dropped;
+      region.error_bound = std::max(region.error_bound, extents_bound(vertices));
       continue;
     }
     region.parts.push_back({part.kind, part.polygon, region.vertices.size(), part.size});

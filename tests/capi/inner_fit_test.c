@@ -206,6 +206,28 @@ static void roundings(void) {
   gcv_polygon_destroy(container);
 }
 
+/* A segment that doubles do not show counts in the bound with its length. */
+static void lost_fit(void) {
+  const double tenth[2] = {0.1, 0};
+  gcv_polygon *container = POLYGON(1, 0, 3, 0, 3, 6, 1, 6), *moving = SQUARE(2);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_region *region = NULL;
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 77};
+  double bound = -1;
+  size_t required = 77;
+  options.rounding = GCV_ROUND_OUTWARD;
+  CHECK_OK(gcv_inner_fit_region(container, moving, tenth, &options, &region));
+  CHECK_OK(gcv_region_parts(region, NULL, 0, &required));
+  CHECK(required == 0);
+  CHECK_OK(gcv_region_stats(region, &stats));
+  CHECK(stats.parts_dropped == 1);
+  CHECK_OK(gcv_region_error_bound(region, &bound));
+  CHECK(bound >= 4 && bound < 4.0001);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(container);
+  gcv_polygon_destroy(moving);
+}
+
 /* The one position is no double. */
 static void position_between_doubles(void) {
   const double reference[2] = {0x1p-60, 1};
@@ -264,6 +286,7 @@ int main(void) {
   sources();
   refused_options();
   roundings();
+  lost_fit();
   position_between_doubles();
   corridor_of_an_ulp();
   return check_failures != 0;

@@ -3,6 +3,7 @@
 // What must hold of free regions, best positions and ways out in scenes, by the relation alone.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -93,6 +94,11 @@ struct FreeQuestions {
              {GCV_ERR_BUFFER_TOO_SMALL});
     check((is_found == 1) == (parts > 0), "found where nothing is free, or the reverse" + where);
     check(is_found == 1 || position == Point{0, 0}, "a position of nothing" + where);
+    for (const Point& vertex : vertices(whole.get())) {
+      const long double further = dot(vertex, direction) - dot(position, direction);
+      check(further <= length(direction) * slack(whole.get(), {position, vertex}),
+            text_of(vertex) + " is further than " + text_of(position) + where);
+    }
   }
 
   void check_way_out(const Point& position) const {
@@ -109,9 +115,35 @@ struct FreeQuestions {
     check(
         !overlaps || escape.depth > 0 || (escape.translation[0] == 0 && escape.translation[1] == 0),
         "an overlap without a depth" + where);
+    const RegionHandle whole = is_bounded ? region(nullptr) : nullptr;
+    if (whole == nullptr) {
+      return;
+    }
+    for (const Point& vertex : vertices(whole.get())) {
+      const long double nearest = length({vertex[0] - position[0], vertex[1] - position[1]});
+      check(escape.depth <= nearest + slack(whole.get(), {position, vertex}),
+            text_of(vertex) + " is nearer than the way out" + where);
+    }
   }
 
  private:
+  static long double dot(const Point& a, const Point& b) {
+    return static_cast<long double>(a[0]) * b[0] + static_cast<long double>(a[1]) * b[1];
+  }
+
+  static long double length(const Point& a) { return std::sqrt(dot(a, a)); }
+
+  // What rounding moves the vertices of a region by, and what this test's own arithmetic does.
+  static long double slack(const gcv_region* region, const std::array<Point, 2>& points) {
+    double bound = 0;
+    succeeds("gcv_region_error_bound", gcv_region_error_bound(region, &bound));
+    long double size = 0;
+    for (const Point& point : points) {
+      size = std::max(size, length(point));
+    }
+    return bound + 0x1p-30L * size;
+  }
+
   static std::vector<Point> vertices(const gcv_region* region) {
     std::size_t count = 0;
     succeeds("gcv_region_vertices", gcv_region_vertices(region, nullptr, 0, &count),

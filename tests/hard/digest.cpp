@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Five digests for each family of the catalogue. The first is over all that the library says of
+// Six digests for each family of the catalogue. The first is over all that the library says of
 // its sums: coordinates to the last bit, sources, bounds, in both roundings, exactly and within a
 // tolerance. The second is over the regions of the same pairs, and of some made of them: exact and
 // rounded parts, sources, bounds, places of points. The third is over relations, distances and
-// casts, the fourth over ways out of overlaps and lists of contacts, the fifth over scenes. They
-// are the same for every compiler and every level of optimisation.
+// casts, the fourth over ways out of overlaps and lists of contacts, the fifth over scenes, the
+// sixth over what is free in scenes. They are the same for every compiler and every level of
+// optimisation.
 //
 //   digest           prints them
 //   digest FILE      compares them with the ones in the file
 #include "digest.hpp"
 
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <iostream>
@@ -22,6 +22,7 @@
 #include "catalogue.hpp"
 #include "gcv/gcv.h"
 #include "question_digest.hpp"
+#include "region_digest.hpp"
 #include "region_operands.hpp"
 
 namespace gcv::hard {
@@ -90,84 +91,6 @@ std::uint64_t digest_of(const Pairs& pairs) {
   return digest.value();
 }
 
-// All elements of a list of the library's, or none where it cannot be read.
-template <class Element, class Get>
-std::vector<Element> list(const gcv_region* region, Get get) {
-  std::size_t count = 0;
-  if (get(region, nullptr, 0, &count) != GCV_OK) {
-    return {};
-  }
-  std::vector<Element> elements(count);
-  return get(region, elements.data(), count, &count) == GCV_OK ? elements : std::vector<Element>{};
-}
-
-void add_parts(Digest& digest, const std::vector<gcv_region_part>& parts) {
-  for (const gcv_region_part& part : parts) {
-    digest.add(&part.kind, sizeof part.kind);
-    digest.add(&part.polygon, sizeof part.polygon);
-    digest.add(&part.vertex_count, sizeof part.vertex_count);
-  }
-}
-
-gcv_status vertices_of(const gcv_region* region, std::array<double, 2>* out, std::size_t capacity,
-                       std::size_t* required) {
-  return gcv_region_vertices(region, out == nullptr ? nullptr : out->data(), capacity, required);
-}
-
-void add_exact_parts(Digest& digest, const gcv_region* region) {
-  add_parts(digest, list<gcv_region_part>(region, gcv_region_exact_parts));
-  const auto sources = list<gcv_edge_source>(region, gcv_region_edge_sources);
-  digest.add(sources);
-  std::string text;
-  for (std::size_t k = 0; k < sources.size(); ++k) {
-    std::size_t length = 0;
-    bool read = gcv_region_exact_vertex(region, k, nullptr, 0, &length) == GCV_OK;
-    text.resize(length);
-    read = read && gcv_region_exact_vertex(region, k, text.data(), length, &length) == GCV_OK;
-    digest.add(&read, sizeof read);
-    digest.add(text.data(), text.size());
-  }
-}
-
-void add_rounded_parts(Digest& digest, const gcv_region* region) {
-  add_parts(digest, list<gcv_region_part>(region, gcv_region_parts));
-  const auto vertices = list<std::array<double, 2>>(region, vertices_of);
-  digest.add(vertices);
-  digest.add(list<std::uint64_t>(region, gcv_region_exact_indices));
-  std::vector<std::int8_t> places(vertices.size());
-  bool read = vertices.empty() || gcv_region_locate(region, vertices.front().data(),
-                                                    vertices.size(), places.data()) == GCV_OK;
-  digest.add(places);
-  double bound = 0;
-  gcv_stats stats = {};
-  stats.struct_size = sizeof stats;
-  read = read && gcv_region_error_bound(region, &bound) == GCV_OK;
-  read = read && gcv_region_stats(region, &stats) == GCV_OK;
-  digest.add(&read, sizeof read);
-  digest.add(&bound, sizeof bound);
-  digest.add(&stats.vertices_repaired, sizeof stats.vertices_repaired);
-  digest.add(&stats.parts_dropped, sizeof stats.parts_dropped);
-}
-
-// Of the regions that compute(&options, &out) gives, in both roundings.
-template <class Compute>
-void add_regions(Digest& digest, Compute compute) {
-  for (const std::int32_t rounding : {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD}) {
-    gcv_options options = GCV_OPTIONS_INIT;
-    options.rounding = rounding;
-    gcv_region* region = nullptr;
-    const gcv_status status = compute(&options, &region);
-    digest.add(&status, sizeof status);
-    if (status == GCV_OK) {
-      if (rounding == GCV_ROUND_NEAREST) {
-        add_exact_parts(digest, region);
-      }
-      add_rounded_parts(digest, region);
-    }
-    gcv_region_destroy(region);
-  }
-}
-
 // Of some pairs with few superset edges. Builds that check everything take long for the others.
 std::uint64_t digest_of_regions(const Pairs& pairs) {
   Digest digest;
@@ -202,7 +125,7 @@ std::string all_digests() {
       const Pairs pairs = family.pairs();
       text << family.name << ' ' << std::hex << digest_of(pairs) << ' ' << digest_of_regions(pairs)
            << ' ' << digest_of_questions(pairs) << ' ' << digest_of_overlaps(pairs) << ' '
-           << digest_of_scenes(pairs) << '\n';
+           << digest_of_scenes(pairs) << ' ' << digest_of_free_positions(pairs) << '\n';
     }
   }
   return text.str();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "digest.hpp"
+#include "region_digest.hpp"
 #include "region_operands.hpp"
 #include "shapes.hpp"
 
@@ -109,14 +110,19 @@ void add_questions(Digest& digest, const gcv_polygon* a, const gcv_polygon* movi
       });
 }
 
-// Ways out from the middle of each motion, with all parts and with fits or holes left out.
-void add_ways_out(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
-                  const Places& places) {
+Polygon middles_of_motions(const Places& places) {
   Polygon middles = places.translations;
   for (std::size_t k = 0; k < middles.size(); ++k) {
     middles[k][0] += places.motions[k][0] / 2;
     middles[k][1] += places.motions[k][1] / 2;
   }
+  return middles;
+}
+
+// Ways out from the middle of each motion, with all parts and with fits or holes left out.
+void add_ways_out(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+                  const Places& places) {
+  const Polygon middles = middles_of_motions(places);
   gcv_options options = GCV_OPTIONS_INIT;
   for (const int leave_out : {0, int{GCV_LEAVE_OUT_FITS}, int{GCV_LEAVE_OUT_HOLES}}) {
     options.leave_out = static_cast<std::uint64_t>(leave_out);
@@ -165,27 +171,40 @@ void add_pairs_of(Digest& digest, const gcv_pair_list* list) {
 }
 
 // A as the container and as a member, the polygon that moves at all places, some of them taken out
-// again; and the same polygon asked about in between. On one thread and on several.
+// again.
+struct Scene {
+  Scene(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving, const Polygon& positions)
+      : ids(positions.size()) {
+    gcv_scene* scene = nullptr;
+    gcv_status status = gcv_scene_create(&scene);
+    handle.reset(scene);
+    const double origin[2] = {0, 0};
+    std::uint64_t id = 0;
+    const std::vector<const gcv_polygon*> members(ids.size(), moving);
+    for (const gcv_status step :
+         {gcv_scene_set_container(scene, a), gcv_scene_add(scene, &a, origin, 1, &id),
+          gcv_scene_add(scene, members.data(), positions.front().data(), ids.size(), ids.data()),
+          gcv_scene_remove(scene, ids.data(), ids.size() / 3)}) {
+      status = status == GCV_OK ? step : status;
+    }
+    digest.add(&status, sizeof status);
+  }
+
+  std::unique_ptr<gcv_scene, SceneDestroy> handle;
+  std::vector<std::uint64_t> ids;
+};
+
+// Lists of what is near in a scene, and the polygon that moves asked about in between. On one
+// thread and on several.
 void add_scene(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
                const Places& places) {
   const std::size_t count = places.translations.size();
   if (count == 0) {
     return;
   }
-  gcv_scene* scene = nullptr;
-  gcv_status status = gcv_scene_create(&scene);
-  const std::unique_ptr<gcv_scene, SceneDestroy> owner(scene);
-  const double origin[2] = {0, 0};
-  std::uint64_t id = 0;
-  std::vector<std::uint64_t> ids(count);
-  const std::vector<const gcv_polygon*> members(count, moving);
-  for (const gcv_status step :
-       {gcv_scene_set_container(scene, a), gcv_scene_add(scene, &a, origin, 1, &id),
-        gcv_scene_add(scene, members.data(), places.translations.front().data(), count, ids.data()),
-        gcv_scene_remove(scene, ids.data(), count / 3)}) {
-    status = status == GCV_OK ? step : status;
-  }
-  digest.add(&status, sizeof status);
+  const Scene made(digest, a, moving, places.translations);
+  const gcv_scene* const scene = made.handle.get();
+  gcv_status status = GCV_OK;
   const Point& way = places.motions.front();
   const double distance = std::max(std::abs(way[0]), std::abs(way[1])) / 1024;
   gcv_options options = GCV_OPTIONS_INIT;
@@ -203,7 +222,7 @@ void add_scene(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
     gcv_pair_list_destroy(pairs);
   }
   gcv_query query = GCV_QUERY_INIT;
-  query.ignore = &ids.back();
+  query.ignore = &made.ids.back();
   query.ignore_count = 1;
   const auto from = [&](std::size_t first) { return places.translations[first].data(); };
   const auto with = [&](std::int32_t threads) {
@@ -220,6 +239,49 @@ void add_scene(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
       [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_impact* out) {
         return gcv_scene_cast(scene, moving, from(first), places.motions[first].data(), number,
                               &query, with(threads), out);
+      });
+}
+
+// What is free in a scene, without the member A: in the container and in a window, furthest in four
+// directions, and nearest to the middles of motions.
+void add_free_positions(Digest& digest, const gcv_polygon* a, const gcv_polygon* moving,
+                        const Places& places) {
+  if (places.translations.empty()) {
+    return;
+  }
+  const Scene made(digest, a, moving, places.translations);
+  const gcv_scene* const scene = made.handle.get();
+  const std::uint64_t first_id = 2;
+  gcv_query query = GCV_QUERY_INIT;
+  query.ignore = &first_id;
+  query.ignore_count = 1;
+  double box[4] = {0, 0, 0, 0};
+  const gcv_status status = gcv_polygon_bounds(a, box);
+  digest.add(&status, sizeof status);
+  const double window[4] = {box[0], box[1], box[0] / 2 + box[2] / 2, box[1] / 2 + box[3] / 2};
+  const double* const everywhere = nullptr;
+  for (const double* const bounds : {everywhere, window}) {
+    add_regions(digest, [&](const gcv_options* options, gcv_region** out) {
+      return gcv_scene_free_region(scene, moving, bounds, &query, options, out);
+    });
+  }
+  for (const Point& direction : {Point{-1, 0}, {0, -1}, {1, 0x1p-30}, {3, 4}}) {
+    Point position{0, 0};
+    std::int32_t found = 0;
+    const gcv_status best =
+        gcv_scene_best(scene, moving, direction.data(), &query, nullptr, position.data(), &found);
+    digest.add(&best, sizeof best);
+    digest.add(&found, sizeof found);
+    digest.add(position.data(), sizeof position);
+  }
+  const Polygon middles = middles_of_motions(places);
+  gcv_options options = GCV_OPTIONS_INIT;
+  add_answers<gcv_escape>(
+      digest, middles.size(),
+      [&](std::size_t first, std::size_t number, std::int32_t threads, gcv_escape* out) {
+        options.threads = threads;
+        return gcv_scene_penetration(scene, moving, middles[first].data(), number, &query, &options,
+                                     out);
       });
 }
 
@@ -268,6 +330,11 @@ std::uint64_t digest_of_overlaps(const Pairs& pairs) {
 std::uint64_t digest_of_scenes(const Pairs& pairs) {
   constexpr std::size_t most_places = 12;
   return digest_of_pairs(pairs, most_places, add_scene);
+}
+
+std::uint64_t digest_of_free_positions(const Pairs& pairs) {
+  constexpr std::size_t most_places = 4;
+  return digest_of_pairs(pairs, most_places, add_free_positions);
 }
 
 }  // namespace gcv::hard

@@ -17,4 +17,7 @@ std::uint64_t digest_of_overlaps(const Pairs& pairs);
 // Likewise: pairs and contacts of scenes of such polygons, distances and casts in them.
 std::uint64_t digest_of_scenes(const Pairs& pairs);
 
+// Likewise: free regions, best positions and ways out in such scenes.
+std::uint64_t digest_of_free_positions(const Pairs& pairs);
+
 }  // namespace gcv::hard

@@ -1101,8 +1101,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_area(const gcv_region *region, doubl
  * An upper bound on the distance between the returned boundary and the exact one, in input
  * units. The boundary is all rings, segments and points. No point of the returned boundary is
  * further than the bound from the exact one. No point of an exact part is further than the
- * bound from what is returned for it. A ring that was dropped counts with its extents. Segments
- * and points that were dropped do not count. It is 0 if every exact coordinate is a double.
+ * bound from what is returned for it. A part that was dropped counts with its extents. It is 0 if
+ * every exact coordinate is a double.
  * With a tolerance it is a bound between sets, as in gcv_outer_face_error_bound.
  *
  * @return GCV_OK, GCV_ERR_NULL_ARGUMENT.
