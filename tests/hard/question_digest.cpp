@@ -333,8 +333,10 @@ std::uint64_t digest_of_scenes(const Pairs& pairs) {
 }
 
 std::uint64_t digest_of_free_positions(const Pairs& pairs) {
+  constexpr std::size_t most_pairs = 3;
   constexpr std::size_t most_places = 4;
-  return digest_of_pairs(pairs, most_places, add_free_positions);
+  const Pairs small = region_pairs(pairs, most_pairs);
+  return small.empty() ? 0 : digest_of_pairs(small, most_places, add_free_positions);
 }
 
 }  // namespace gcv::hard
