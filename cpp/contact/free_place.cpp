@@ -6,6 +6,7 @@
 
 #include "gap.hpp"
 #include "predicates.hpp"
+#include "vector.hpp"
 
 namespace gcv {
 
@@ -83,7 +84,7 @@ class BestFree {
   [[nodiscard]] Interval distance_at(const RelativeLine& line, const Interval& parameter) const {
     const double distance = edges_.distance(line.at(parameter.lo));
     const double error =
-        8 * slack_ + 2 * (parameter.hi - parameter.lo) * std::hypot(line.dx, line.dy);
+        8 * slack_ + 2 * (parameter.hi - parameter.lo) * length_of(line.dx, line.dy);
     return {distance - error, distance + error};
   }
   [[nodiscard]] SumEdge line_of(const EdgeName& edge) const {
@@ -166,7 +167,7 @@ class NearestFree : public BestFree<NearestFree> {
  private:
   // The parameter of the foot of the perpendicular from the point.
   [[nodiscard]] double foot_on(const RelativeLine& line) const {
-    const double size = std::hypot(line.dx, line.dy);
+    const double size = length_of(line.dx, line.dy);
     const double x = line.dx / size;
     const double y = line.dy / size;
     return ((relative_.x - line.origin.x) * x + (relative_.y - line.origin.y) * y) / size;

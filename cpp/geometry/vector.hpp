@@ -33,17 +33,23 @@ inline double next_up(double x) {
   return x < infinity ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(x + 0.0) + 1) : x;
 }
 
-// At least sqrt(x^2 + y^2). There are five roundings, each below u; the factor covers them. If the
-// smaller number underflows beside the larger one, its share of the result is negligible too.
-inline double length_bound(double x, double y) {
+// sqrt(x^2 + y^2), within 4 u. Unlike std::hypot the same bits from every standard library.
+inline double length_of(double x, double y) {
   const double longer = std::max(std::abs(x), std::abs(y));
   const double shorter = std::min(std::abs(x), std::abs(y));
   if (shorter == 0) {
     return longer;
   }
   const double ratio = shorter / longer;
-  const double length = longer * std::sqrt(1 + ratio * ratio);
-  return next_up(length * (1 + 4 * std::numeric_limits<double>::epsilon()));
+  return longer * std::sqrt(1 + ratio * ratio);
+}
+
+// At least sqrt(x^2 + y^2). There are five roundings, each below u; the factor covers them. If the
+// smaller number underflows beside the larger one, its share of the result is negligible too.
+inline double length_bound(double x, double y) {
+  const double rounded = length_of(x, y);
+  return x == 0 || y == 0 ? rounded
+                          : next_up(rounded * (1 + 4 * std::numeric_limits<double>::epsilon()));
 }
 
 // A power of two by which lengths up to that size can be multiplied, so that their squares are in

@@ -34,7 +34,7 @@ void NearestEdges::set_goal(const Goal& goal) {
 }
 
 double NearestEdges::distance(const Point& p) const {
-  return goal_.is_point() ? std::hypot(p.x - goal_.vector.x, p.y - goal_.vector.y) : cost(p);
+  return goal_.is_point() ? length_of(p.x - goal_.vector.x, p.y - goal_.vector.y) : cost(p);
 }
 
 double NearestEdges::cost(const Box& box) const {
@@ -143,7 +143,7 @@ double NearestEdges::cost_of_uncovered(const RelativeLine& line, double from, do
   double until = 1;
   if (goal_.is_point()) {
     // What is further than the limit does not matter.
-    const double length = scale_ * std::hypot(line.dx, line.dy);
+    const double length = scale_ * length_of(line.dx, line.dy);
     until = from + (1 + 0x1p-40) * std::sqrt(limit) / length;
   }
   search_.begin(line);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 #include "edges_below.hpp"
@@ -75,11 +76,16 @@ class NearestEdges {
     bool is_looked_at = false;
 
     [[nodiscard]] bool is_nodes() const { return kind == nodes; }
+    [[nodiscard]] auto order_at_cost() const { return std::tuple(!is_looked_at, kind, a, b); }
     [[nodiscard]] EdgeName edge() const { return {static_cast<EdgeName::Kind>(kind), a, b}; }
   };
-  // Of two at one distance, that which was looked at comes first.
+  // Of two at one distance, that which was looked at comes first. A total order, so that every
+  // standard library has the same.
   static bool is_further(const Entry& p, const Entry& q) {
-    return p.cost > q.cost || (p.cost == q.cost && p.is_looked_at < q.is_looked_at);
+    if (p.cost != q.cost) {
+      return p.cost > q.cost;
+    }
+    return p.order_at_cost() > q.order_at_cost();
   }
 
   void push(const Entry& entry);

@@ -15,8 +15,13 @@ namespace {
 // The least progress along a line that a witness is taken for.
 constexpr double least_progress = 0x1p-20;
 
-// For heaps with the first in front.
-constexpr auto comes_later = [](const auto& p, const auto& q) { return p.first() > q.first(); };
+// For heaps with the first in front. A total order, so that every standard library has the same.
+constexpr auto comes_later = [](const auto& p, const auto& q) {
+  if (p.first() != q.first()) {
+    return p.first() > q.first();
+  }
+  return p.nodes.a != q.nodes.a ? p.nodes.a > q.nodes.a : p.nodes.b > q.nodes.b;
+};
 
 }  // namespace
 

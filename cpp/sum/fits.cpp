@@ -11,7 +11,7 @@
 namespace gcv {
 
 // Segments on one line follow each other in this order: by the direction of the line, then by the
-// line, then by their first ends.
+// line, then by their first ends. Of equal ones, that with the smallest name comes first.
 class Fits::LineOrder {
  public:
   LineOrder(const Operands& operands, const ExactOrder& order, Tally& tally)
@@ -26,7 +26,7 @@ class Fits::LineOrder {
     if (const int side = side_of(p, q); side != 0) {
       return side < 0;
     }
-    return is_before(order_, p, q);
+    return is_before(order_, p, q) || (!is_before(order_, q, p) && p.edge < q.edge);
   }
 
   [[nodiscard]] bool are_on_one_line(const ExactSegment& p, const ExactSegment& q) const {
@@ -67,8 +67,12 @@ void Fits::add_segment(const EdgeName& edge, const RingVertex& from, const RingV
 }
 
 void Fits::finish(const std::vector<RingVertex>& corners) {
-  std::sort(points_.begin(), points_.end(),
-            [&](const auto& p, const auto& q) { return order_.compare(p, q) < 0; });
+  // Of equal ones, that with the smallest names comes first.
+  std::sort(points_.begin(), points_.end(), [&](const auto& p, const auto& q) {
+    const int order = order_.compare(p, q);
+    const auto names = [](const RingVertex& v) { return std::pair(v.leaving(), v.arriving()); };
+    return order < 0 || (order == 0 && names(p.vertex) < names(q.vertex));
+  });
   points_.erase(
       std::unique(points_.begin(), points_.end(),
                   [&](const auto& p, const auto& q) { return order_.compare(p, q) == 0; }),

@@ -111,8 +111,9 @@ class Cutter {
       const RingVertex& corner = ring[k];
       visits.push_back({corner, points[k], corner.arriving(), corner.leaving()});
       const int way = order_.compare(placed[k], placed[cyclic_next(k, n)]);
-      std::sort(on_edges[k].begin(), on_edges[k].end(),
-                [&](Index p, Index q) { return order_.compare(placed[p], placed[q]) * way > 0; });
+      std::stable_sort(on_edges[k].begin(), on_edges[k].end(), [&](Index p, Index q) {
+        return order_.compare(placed[p], placed[q]) * way > 0;
+      });
       for (const Index on : on_edges[k]) {
         if (visits.back().point != points[on]) {
           visits.push_back({ring[on], points[on], corner.leaving(), corner.leaving()});

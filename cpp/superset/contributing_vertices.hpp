@@ -10,6 +10,7 @@
 // that starts there: by less than half a turn.
 #pragma once
 
+#include <compare>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -41,7 +42,7 @@ struct EdgeName {
   Index i;
   Index j;
 
-  friend bool operator==(const EdgeName&, const EdgeName&) = default;
+  friend auto operator<=>(const EdgeName&, const EdgeName&) = default;
 };
 
 // Such an edge.
