@@ -46,6 +46,9 @@ CoveredCells::CoveredCells(const Operands& operands, double slack) : margin_(sla
     of_a = {std::max(of_a.x0, focus.x0 - of_b.x1), std::max(of_a.y0, focus.y0 - of_b.y1),
             std::min(of_a.x1, focus.x1 - of_b.x0), std::min(of_a.y1, focus.y1 - of_b.y0)};
   }
+  if (!(of_a.x0 < of_a.x1 && of_a.y0 < of_a.y1)) {
+    return;  // nothing of it is near
+  }
   const Box bounds = sum_of(of_a, of_b);
   box_ = bounds;
   origin_ = {bounds.x0, bounds.y0};

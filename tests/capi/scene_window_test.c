@@ -338,6 +338,24 @@ static void fits_left_out(void) {
   gcv_polygon_destroy(square);
 }
 
+/* A box that is rounded outward reaches a member that the polygon in the window does not. */
+static void member_out_of_reach(void) {
+  gcv_polygon *moving = POLYGON(3, 0, 7, 0, 10, 3, 10, 7, 7, 10, 3, 10, 0, 7, 0, 3),
+              *member = POLYGON(7, 5, 8, 5, 10, 7, 10, 8, 8, 10, 7, 10, 5, 8, 5, 7);
+  gcv_scene *scene = new_scene();
+  gcv_region *region;
+  double area = 0;
+  add(scene, member, 0x1p54 + 20, 0x1p55 + 16);
+  region =
+      free_region(scene, moving, WINDOW(0x1p54 - 2, 0x1p55 - 24, 0x1p54 + 12, 0x1p55 + 8), NULL);
+  CHECK_OK(gcv_region_area(region, &area));
+  CHECK(area == 14 * 32);
+  gcv_region_destroy(region);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(moving);
+  gcv_polygon_destroy(member);
+}
+
 int main(void) {
   windows_without_a_container();
   windows_in_a_container();
@@ -349,5 +367,6 @@ int main(void) {
   roundings();
   refused_windows();
   fits_left_out();
+  member_out_of_reach();
   return check_failures != 0;
 }
