@@ -91,7 +91,9 @@ export class Editing {
     const from = this.shape.at;
     this.#grip = [point[0] - from[0], point[1] - from[1]];
     if (found.edge !== undefined) {
-      this.corner = shapes.insertCorner(this.shape, found.edge, found.place);
+      const { snap } = this.page.stage;
+      const [x, y] = found.place;
+      this.corner = shapes.insertCorner(this.shape, found.edge, [snap(x), snap(y)]);
     }
     if (this.corner !== null) {
       this.#grip = [point[0] - found.place[0], point[1] - found.place[1]];

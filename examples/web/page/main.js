@@ -24,7 +24,7 @@ function element(id, Type) {
 }
 
 let colours = coloursOf();
-const stage = new Stage(element("stage", HTMLCanvasElement), (context) => {
+export const stage = new Stage(element("stage", HTMLCanvasElement), (context) => {
   const pen = new Pen(context, stage, colours);
   if (stage.isSnapping) {
     pen.grid();
@@ -52,6 +52,7 @@ const page = {
   stage,
   answers: new Answers(),
   say,
+  isShown: (one) => one === view,
   report: (words) => {
     if (problem.textContent !== words) {
       problem.textContent = words;
@@ -96,6 +97,9 @@ const views = /** @type {Record<string, import("./view.js").View>} */ ({
 let view = views["sum"];
 const objects = new Objects(element("objects", HTMLElement), stage, () => view);
 const tabs = Object.keys(views).map((name) => element(`tab-${name}`, HTMLButtonElement));
+
+/** The view that is shown. */
+export const shownView = () => view;
 
 /** @param {string} name */
 function show(name) {

@@ -14,6 +14,7 @@ import { boundsOf, centreOf, nearestEdge, setRings } from "./shapes.js";
  * @typedef {{
  *   stage: import("./stage.js").Stage,
  *   answers: import("./answers.js").Answers,
+ *   isShown: (view: View) => boolean,
  *   report: (problem: string) => void,
  *   shapesChanged: () => void,
  *   answered: (milliseconds: number) => void,
@@ -66,6 +67,9 @@ export class View extends Editing {
   }
 
   shown() {
+    if (!this.page.isShown(this)) {
+      return;
+    }
     this.page.report(this.problem);
     this.page.facts(this.facts());
     this.page.stage.redraw();

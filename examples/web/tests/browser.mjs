@@ -59,3 +59,98 @@ export async function open(browser, url, options = {}) {
   await page.waitForFunction(() => document.querySelectorAll("#facts dd").length > 0);
   return { page, context, errors };
 }
+
+/** The module of the page, in the page. */
+const main = "/examples/web/page/main.js";
+
+/** Where a point of the plane is on the screen. @param {import("playwright-core").Page} page
+ * @param {number} x @param {number} y @returns {Promise<[x: number, y: number]>} */
+export function onScreen(page, x, y) {
+  return page.evaluate(
+    async ({ main, x, y }) => {
+      const { stage } = await import(main);
+      const { left, top } = stage.canvas.getBoundingClientRect();
+      const [column, row] = stage.toScreen(x, y);
+      return [left + column, top + row];
+    },
+    { main, x, y },
+  );
+}
+
+/** The outer ring of a shape where it lies, in pairs.
+ * @param {import("playwright-core").Page} page @param {number} shape
+ * @returns {Promise<[x: number, y: number][]>} */
+export function ringOf(page, shape) {
+  return page.evaluate(
+    async ({ main, shape }) => {
+      const { rings, at } = (await import(main)).shownView().shapes[shape];
+      return Array.from({ length: rings[0].length / 2 }, (_, k) => [
+        rings[0][2 * k] + at[0],
+        rings[0][2 * k + 1] + at[1],
+      ]);
+    },
+    { main, shape },
+  );
+}
+
+/** Where a vertex of a shape is on the screen. @param {import("playwright-core").Page} page
+ * @param {number} shape @param {number} corner */
+export async function cornerOnScreen(page, shape, corner) {
+  const [x, y] = (await ringOf(page, shape))[corner];
+  return onScreen(page, x, y);
+}
+
+/** What the panel tells, by its names. @param {import("playwright-core").Page} page
+ * @returns {Promise<Record<string, string>>} */
+export function factsOf(page) {
+  return page.evaluate(() =>
+    Object.fromEntries(
+      [...document.querySelectorAll("#facts dt")].map((name) => [
+        name.textContent ?? "",
+        name.nextElementSibling?.textContent ?? "",
+      ]),
+    ),
+  );
+}
+
+/** Waits until the panel tells something. @param {import("playwright-core").Page} page
+ * @param {string} name @param {string} value */
+export async function until(page, name, value) {
+  await page.waitForFunction(
+    ({ name, value }) =>
+      [...document.querySelectorAll("#facts dt")].some(
+        (item) => item.textContent === name && item.nextElementSibling?.textContent === value,
+      ),
+    { name, value },
+    { timeout: 5000 },
+  );
+}
+
+/** Drags with the mouse. @param {import("playwright-core").Page} page
+ * @param {[number, number]} from @param {[number, number]} to */
+export async function drag(page, from, to) {
+  await page.mouse.move(...from);
+  await page.mouse.down();
+  await page.mouse.move((from[0] + to[0]) / 2, (from[1] + to[1]) / 2);
+  await page.mouse.move(...to, { steps: 3 });
+  await page.mouse.up();
+}
+
+/** Drops a file onto the stage, or pastes its text. @param {import("playwright-core").Page} page
+ * @param {"drop" | "paste"} how @param {string} text @param {[number, number]} point */
+export function give(page, how, text, [clientX, clientY] = [0, 0]) {
+  return page.evaluate(
+    ({ how, text, clientX, clientY }) => {
+      const data = new DataTransfer();
+      if (how === "paste") {
+        data.setData("text/plain", text);
+        window.dispatchEvent(new ClipboardEvent("paste", { clipboardData: data, bubbles: true }));
+        return;
+      }
+      data.items.add(new File([text], "polygon.txt"));
+      const target = document.getElementById("stage");
+      target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, clientX, clientY, bubbles: true, cancelable: true }));
+    },
+    { how, text, clientX, clientY },
+  );
+}

@@ -14,7 +14,9 @@ import { polygonOf } from "./polygons.js";
  * The parts are those that lie on the sheet, without the moving one.
  * @typedef {{ sheet: Shape, parts: Shape[], moving: Shape | null }} Question
  *
+ * The key is that of the moving part.
  * @typedef {{
+ *   key: string,
  *   region: import("./packed.js").Packed,
  *   relation: number,
  *   escape: import("../../../../bindings/javascript/dist/index.js").Escape,
@@ -54,6 +56,7 @@ export function sheet(question) {
     region.free();
   }
   return {
+    key,
     region: /** @type {import("./packed.js").Packed} */ (free.region),
     relation: scene.relation(part, at),
     escape: scene.penetration(part, at),

@@ -53,6 +53,11 @@ export class SheetView extends View {
     return index > 0;
   }
 
+  /** The answer, if it is about the selected part. @returns {Answer | null} */
+  get #found() {
+    return this.answer?.key === this.shape.key ? this.answer : null;
+  }
+
   /** The selected part; null for the sheet. */
   get #part() {
     return this.selected > 0 ? this.shape : null;
@@ -149,7 +154,6 @@ export class SheetView extends View {
     }
     this.shapes.splice(this.selected, 1);
     this.selected = Math.min(this.selected, this.shapes.length - 1);
-    this.answer = null;
     this.page.shapesChanged();
     this.changed();
   }
@@ -201,7 +205,7 @@ export class SheetView extends View {
 
   /** @override @returns {[string, string][]} */
   facts() {
-    const answer = /** @type {Answer | null} */ (this.answer);
+    const answer = this.#found;
     const part = this.#part;
     if (part === null || answer === null) {
       return [["Parts", String(this.shapes.length - 1)]];
@@ -225,29 +229,34 @@ export class SheetView extends View {
   draw(pen) {
     const [sheetShape, ...rest] = this.shapes;
     pen.shape(sheetShape, "ink", { fill: 0.06, width: this.selected === 0 ? 3 : 2 });
-    const answer = /** @type {Answer | null} */ (this.answer);
+    const answer = this.#found;
     const part = this.#part;
     for (const other of rest.filter((shape) => shape !== part)) {
       pen.shape(other, "a", { fill: 0.25 });
     }
-    if (part !== null && answer !== null) {
-      this.#drawFree(pen, part, answer);
+    if (part !== null) {
+      this.#drawPart(pen, part, answer);
     }
     for (const shape of rest) {
       pen.words(middleOf(shape), shape.name, shape === part ? "b" : "a");
     }
   }
 
-  /** @param {import("../pen.js").Pen} pen @param {Shape} part @param {Answer} answer */
-  #drawFree(pen, part, { region, escape, relation }) {
+  /** The part and where it is free. @param {import("../pen.js").Pen} pen @param {Shape} part
+   * @param {Answer | null} answer */
+  #drawPart(pen, part, answer) {
     // The region is of the first vertex: where that may be.
     const [x, y] = part.rings[0];
-    pen.region(region, [x, y], "free", 0.3);
-    pen.shape(part, relation < 0 ? "bad" : "b", { fill: 0.35, width: 2.5 });
     const place = placeOf(part, { ring: 0, index: 0 });
-    if (relation < 0 && Number.isFinite(escape.depth)) {
-      pen.rings(part.rings, [...escape.position], "free", { fill: 0, width: 2, dash: [6, 4] });
-      pen.arrow(place, [escape.position[0] + x, escape.position[1] + y], "ink");
+    if (answer !== null) {
+      pen.region(answer.region, [x, y], "free", 0.3);
+    }
+    const isOverlapping = answer !== null && answer.relation < 0;
+    pen.shape(part, isOverlapping ? "bad" : "b", { fill: 0.35, width: 2.5 });
+    if (isOverlapping && Number.isFinite(answer.escape.depth)) {
+      const [dx, dy] = answer.escape.position;
+      pen.rings(part.rings, [dx, dy], "free", { fill: 0, width: 2, dash: [6, 4] });
+      pen.arrow(place, [dx + x, dy + y], "ink");
     }
     pen.dot(place, "b", 5);
   }
