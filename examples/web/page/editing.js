@@ -211,14 +211,18 @@ export class Editing {
         pen.corners(shape, colour);
       }
     });
-    this.shapes.forEach((shape, k) => {
-      pen.words(shapes.middleOf(shape), shape.name, colours[k % colours.length]);
-    });
     if (this.newCorner !== null) {
       pen.dot(this.newCorner, "mark", 4, true);
     }
     if (this.corner !== null) {
       pen.dot(shapes.placeOf(this.shape, this.corner), "mark", 6);
     }
+  }
+
+  /** @param {Pen} pen @param {string[]} colours */
+  drawNames(pen, colours) {
+    this.shapes.forEach((shape, k) => {
+      pen.words(shapes.middleOf(shape), shape.name, colours[k % colours.length]);
+    });
   }
 }

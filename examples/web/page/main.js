@@ -32,8 +32,11 @@ export const stage = new Stage(element("stage", HTMLCanvasElement), (context) =>
   view.draw(pen);
   objects.place();
   frames.textContent = `${stage.frames} frames in the last second`;
+  clearTimeout(idle);
+  idle = window.setTimeout(() => (frames.textContent = ""), 1500);
 });
 
+let idle = 0;
 const frames = element("frames", HTMLElement);
 const live = element("live", HTMLElement);
 const problem = element("problem", HTMLElement);
@@ -113,7 +116,8 @@ function show(name) {
     tab.tabIndex = isChosen ? 0 : -1;
     element(tab.id.replace("tab", "panel"), HTMLElement).hidden = !isChosen;
   }
-  document.body.dataset["view"] = name;
+  clearTimeout(saying);
+  live.textContent = "";
   if (view.camera === null) {
     fit();
   } else {

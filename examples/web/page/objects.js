@@ -8,9 +8,12 @@ import { boundsOf, centreOf, countOf } from "./shapes.js";
 /** A number with as many digits as help. @param {number} value */
 export const short = (value) => String(Number(value.toPrecision(6)));
 
+/** How many of something there are; nothing where there are none. @param {number} count @param {string} name */
+const counted = (count, name) => (count === 0 ? [] : [`${count} ${name}${count === 1 ? "" : "s"}`]);
+
 /** @param {number} segments @param {number} points */
 export const fits = (segments, points) =>
-  `${segments} segment${segments === 1 ? "" : "s"}, ${points} point${points === 1 ? "" : "s"}`;
+  [...counted(segments, "segment"), ...counted(points, "point")].join(", ") || "none";
 
 export class Objects {
   /** @type {HTMLButtonElement[]} */

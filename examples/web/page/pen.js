@@ -3,7 +3,7 @@
 //
 // What is drawn: rings, lines, points, arrows and words, in the colours of the style sheet.
 
-import { cornersOf, neighbour, placeOf } from "./shapes.js";
+import { boundsOf, cornersOf, neighbour, placeOf } from "./shapes.js";
 
 /**
  * @typedef {import("./shapes.js").Point} Point
@@ -12,6 +12,8 @@ import { cornersOf, neighbour, placeOf } from "./shapes.js";
  */
 
 const names = ["paper", "ink", "faint", "grid", "a", "b", "sum", "fit", "free", "bad", "mark"];
+
+const font = "600 14px system-ui, sans-serif";
 
 /** The colours, by the names of the style sheet without their hyphens. */
 export function coloursOf() {
@@ -80,22 +82,31 @@ export class Pen {
     this.rings(shape.rings, shape.at, colour, style);
   }
 
-  /** A region: its polygons, its holes, its segments and points. @param {Packed} region @param {Point} at
+  /** The polygons of a region, with their holes. @param {Packed} region @param {Point} at
    * @param {string} colour */
   region({ vertices, parts }, at, colour, fill = 0.22) {
-    const ring = ({ start = 0, stop = 0 }) => vertices.subarray(2 * start, 2 * stop);
-    this.rings(parts.filter(({ kind }) => kind <= 2).map(ring), at, colour, { fill, width: 2 });
-    for (const part of parts) {
-      const [x0, y0, x1, y1] = ring(part);
-      if (part.kind === 3) {
-        this.line([x0 + at[0], y0 + at[1]], [x1 + at[0], y1 + at[1]], "fit", 4);
-      } else if (part.kind === 4) {
-        this.dot([x0 + at[0], y0 + at[1]], "fit", 5);
+    const rings = parts.filter(({ kind }) => kind <= 2);
+    this.rings(
+      rings.map(({ start, stop }) => vertices.subarray(2 * start, 2 * stop)),
+      at,
+      colour,
+      { fill, width: 2 },
+    );
+  }
+
+  /** The segments and points of a region. @param {Packed} region @param {Point} at */
+  fits({ vertices, parts }, [dx, dy]) {
+    for (const { kind, start, stop } of parts) {
+      const [x0, y0, x1, y1] = vertices.subarray(2 * start, 2 * stop);
+      if (kind === 3) {
+        this.line([x0 + dx, y0 + dy], [x1 + dx, y1 + dy], "fit", 4);
+      } else if (kind === 4) {
+        this.dot([x0 + dx, y0 + dy], "fit", 5);
       }
     }
   }
 
-  /** Many edges, with four coordinates each. @param {Float64Array} edges @param {Point} at
+  /** Many edges, with four coordinates each; the more there are, the fainter. @param {Float64Array} edges @param {Point} at
    * @param {string} colour @param {number} width */
   edges(edges, [dx, dy], colour, width) {
     const { context, stage } = this;
@@ -105,7 +116,9 @@ export class Pen {
       context.lineTo(...stage.toScreen(edges[k + 2] + dx, edges[k + 3] + dy));
     }
     context.strokeStyle = this.colours[colour];
+    context.globalAlpha = Math.min(1, Math.max(0.2, 1200 / edges.length));
     this.#stroke(width);
+    context.globalAlpha = 1;
   }
 
   /** @param {Point} start @param {Point} end @param {string} colour */
@@ -162,11 +175,18 @@ export class Pen {
     this.#stroke(2);
   }
 
+  /** Whether words are as short as a shape is wide. @param {string} text @param {Shape} shape */
+  hasRoom(text, shape) {
+    const [xmin, , xmax] = boundsOf(shape);
+    this.context.font = font;
+    return this.context.measureText(text).width < 1.1 * (xmax - xmin) * this.stage.camera.scale;
+  }
+
   /** Words at a point, moved by pixels, on the colour of the paper.
    * @param {Point} point @param {string} text @param {string} colour @param {Point} shift */
   words(point, text, colour, shift = [0, 0]) {
     const { context, stage } = this;
-    context.font = "600 14px system-ui, sans-serif";
+    context.font = font;
     context.textAlign = "center";
     context.textBaseline = "middle";
     const half = context.measureText(text).width / 2 + 6;

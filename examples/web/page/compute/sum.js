@@ -17,6 +17,7 @@ import { polygonOf } from "./polygons.js";
  * @typedef {{
  *   region: import("./packed.js").Packed,
  *   superset: Float64Array,
+ *   isWhole: boolean,
  *   relation: gcv.Relation,
  *   key: string,
  * }} Answer
@@ -33,6 +34,7 @@ export function sum(question) {
     const region = regionOf(first, second, question);
     known = {
       region: packed(region),
+      isWhole: question.isWhole,
       superset: question.hasSuperset ? supersetOf(first, second, isNoFit) : new Float64Array(0),
       key,
     };

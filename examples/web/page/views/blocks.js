@@ -14,7 +14,7 @@ import { View } from "../view.js";
  */
 
 const lies = { "1": "apart", "0": "touching", "-1": "overlapping" };
-const kinds = ["", "edge of A, vertex of B", "vertex of A, edge of B", "two vertices"];
+const kinds = ["", "Edge and vertex", "Vertex and edge", "Two vertices"];
 
 export class BlocksView extends View {
   #milliseconds = 0;
@@ -90,15 +90,15 @@ export class BlocksView extends View {
       return [];
     }
     const { separation, escape, contacts } = answer;
-    const counts = kinds.flatMap((name, kind) => {
-      const count = contacts.filter((contact) => contact.kind === kind).length;
-      return count === 0 ? [] : [/** @type {[string, string]} */ ([`Contacts: ${name}`, String(count)])];
+    const counts = kinds.slice(1).map((name, k) => {
+      const count = contacts.filter(({ kind }) => kind === k + 1).length;
+      return /** @type {[string, string]} */ ([name, String(count)]);
     });
     return [
       ["A and B are", lies[separation.relation]],
       ["Distance", short(separation.distance)],
       ["Depth of the overlap", short(escape.depth)],
-      ["Shortest way out", escape.depth === 0 ? "none is needed" : escape.translation.map(short).join(", ")],
+      ["Shortest way out", escape.depth === 0 ? "none needed" : escape.translation.map(short).join(", ")],
       ["Contacts", String(contacts.length)],
       ...counts,
       ["Computed in", `${this.#milliseconds.toFixed(1)} ms`],
@@ -136,5 +136,6 @@ export class BlocksView extends View {
       const [x, y] = centreOf(boundsOf(b));
       pen.arrow([x, y], [x + escape.translation[0], y + escape.translation[1]], "ink", 2.5);
     }
+    this.drawNames(pen, ["a", "b"]);
   }
 }

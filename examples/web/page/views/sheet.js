@@ -128,7 +128,8 @@ export class SheetView extends View {
     const part = this.#part;
     if (part !== null) {
       const [x, y] = centreOf(boundsOf(part));
-      part.at = [part.at[0] + point[0] - x, part.at[1] + point[1] - y];
+      const { snap } = this.page.stage;
+      part.at = [snap(part.at[0] + point[0] - x), snap(part.at[1] + point[1] - y)];
       void this.place();
     }
   }
@@ -237,8 +238,11 @@ export class SheetView extends View {
     if (part !== null) {
       this.#drawPart(pen, part, answer);
     }
-    for (const shape of rest) {
-      pen.words(middleOf(shape), shape.name, shape === part ? "b" : "a");
+    for (const other of rest.filter((one) => one !== part && pen.hasRoom(one.name, one))) {
+      pen.words(middleOf(other), other.name, "a");
+    }
+    if (part !== null) {
+      pen.words(middleOf(part), part.name, "b");
     }
   }
 
@@ -250,6 +254,7 @@ export class SheetView extends View {
     const place = placeOf(part, { ring: 0, index: 0 });
     if (answer !== null) {
       pen.region(answer.region, [x, y], "free", 0.3);
+      pen.fits(answer.region, [x, y]);
     }
     const isOverlapping = answer !== null && answer.relation < 0;
     pen.shape(part, isOverlapping ? "bad" : "b", { fill: 0.35, width: 2.5 });

@@ -3,10 +3,11 @@
 //
 // The first view: A, B, and their sum, or the no-fit region of B round A.
 
+import { drawSource, edgeNear, endsOf, sourceOf } from "../edges.js";
 import { boxOf, laidOut } from "../layout.js";
 import { fits, short } from "../objects.js";
 import { files, pairs } from "../samples.js";
-import { cornerOf, countOf, nearestOfSegment, neighbour, placeOf, shapeOf } from "../shapes.js";
+import { countOf, placeOf, shapeOf } from "../shapes.js";
 import { View } from "../view.js";
 
 /**
@@ -22,7 +23,6 @@ const lies = { "1": "apart", "0": "touching", "-1": "overlapping" };
 export class SumView extends View {
   #isNoFit = false;
   #hasSuperset = false;
-  #isWhole = true;
   #wholeTime = 0;
   #milliseconds = 0;
   /** The vertex of the region that begins the chosen edge. @type {number | null} */
@@ -57,18 +57,25 @@ export class SumView extends View {
 
   /** @param {string} name the name of a sample */
   async load(name) {
-    if (name in pairs) {
-      this.#put(pairs[name].a, pairs[name].b);
-    } else {
-      const read = files[name].map(async (file) => {
-        const response = await fetch(new URL(`../../../polygons/${file}.wkt`, import.meta.url));
-        return { text: await response.text(), matrix: null };
-      });
-      const { answer } = await this.page.answers.ask("read", await Promise.all(read));
-      this.#put(answer[0], answer[1]);
+    try {
+      const { a, b } = name in pairs ? pairs[name] : await this.#read(files[name]);
+      this.#put(a, b);
+    } catch (error) {
+      this.page.report(/** @type {Error} */ (error).message);
+      return;
     }
     this.page.shapesChanged();
     this.changed();
+  }
+
+  /** @param {string[]} names of files */
+  async #read(names) {
+    const sources = names.map(async (name) => {
+      const response = await fetch(new URL(`../../../polygons/${name}.wkt`, import.meta.url));
+      return { text: await response.text(), matrix: null };
+    });
+    const { answer } = await this.page.answers.ask("read", await Promise.all(sources));
+    return { a: answer[0], b: answer[1] };
   }
 
   /** @param {ArrayLike<number>[]} a @param {ArrayLike<number>[]} b */
@@ -99,19 +106,18 @@ export class SumView extends View {
   /** @param {boolean} isWhole @returns {Question} */
   #asked(isWhole) {
     const [a, b] = this.shapes;
-    return { a, b, isNoFit: this.#isNoFit, isWhole, hasSuperset: this.#hasSuperset };
+    return { a, b, isNoFit: this.#isNoFit, isWhole, hasSuperset: this.#hasSuperset && isWhole };
   }
 
   /** @override */
   question() {
-    this.#isWhole = !this.isDragging || this.#wholeTime < patience;
-    return this.#asked(this.#isWhole);
+    return this.#asked(!this.isDragging || this.#wholeTime < patience);
   }
 
   /** @override @param {number} milliseconds */
   answered(milliseconds) {
     this.#milliseconds = milliseconds;
-    if (this.#isWhole) {
+    if (this.answer.isWhole) {
       this.#wholeTime = milliseconds;
     }
     if (this.#edge !== null && this.#edge >= this.answer.region.vertices.length / 2) {
@@ -132,51 +138,27 @@ export class SumView extends View {
     return boxOf(a, b, this.#isNoFit);
   }
 
-  /** The ends of the edge of the region that begins at a vertex.
-   * @param {number} vertex @returns {[start: Point, end: Point]} */
-  #endsOf(vertex) {
-    const { vertices, parts } = /** @type {Answer} */ (this.answer).region;
-    const part = parts.find(({ start, stop }) => start <= vertex && vertex < stop);
-    const next = part === undefined || vertex + 1 < part.stop ? vertex + 1 : part.start;
-    const [dx, dy] = this.#at;
-    const place = (/** @type {number} */ k) =>
-      /** @type {Point} */ ([vertices[2 * k] + dx, vertices[2 * k + 1] + dy]);
-    return [place(vertex), place(next)];
-  }
-
   /** @override @param {Point | null} point @param {number} reach */
   hover(point, reach) {
     super.hover(point, reach);
-    let best = reach;
     const before = this.#edge;
-    this.#edge = null;
-    const count = (this.answer?.region.vertices.length ?? 0) / 2;
-    for (let k = 0; point !== null && this.newCorner === null && k < count; ++k) {
-      const { distance } = nearestOfSegment(point, ...this.#endsOf(k));
-      if (distance < best) {
-        best = distance;
-        this.#edge = k;
-      }
-    }
+    const isOverResult = point !== null && this.newCorner === null && this.answer !== null;
+    this.#edge = isOverResult ? edgeNear(this.answer.region, this.#at, point, reach) : null;
     if (this.#edge !== before) {
       this.page.facts(this.facts());
     }
   }
 
-  /** The source of the chosen edge: what it is called, and the features of A and B.
-   * @returns {{ kind: number, a: number, b: number, words: string } | null} */
+  /** A touch does not hover, and so chooses an edge. @override @param {Point} point */
+  click(point) {
+    super.click(point);
+    this.hover(point, 16 / this.page.stage.camera.scale);
+  }
+
+  /** What the chosen edge is made of. */
   get #source() {
-    if (this.#edge === null || this.answer === null) {
-      return null;
-    }
-    const [kind, a, b] = this.answer.region.sources.subarray(3 * this.#edge, 3 * this.#edge + 3);
-    const words = [
-      "a point, no edge",
-      `edge ${a} of A at vertex ${b} of B`,
-      `edge ${b} of B at vertex ${a} of A`,
-      `edge ${a} of A and edge ${b} of B, merged`,
-    ];
-    return { kind, a, b, words: words[kind] };
+    const region = /** @type {Answer | null} */ (this.answer)?.region;
+    return this.#edge === null || region === undefined ? null : sourceOf(region, this.#edge);
   }
 
   /** @override */
@@ -187,7 +169,7 @@ export class SumView extends View {
     }
     const { region } = answer;
     const count = (/** @type {number} */ kind) => region.parts.filter((part) => part.kind === kind).length;
-    const whole = this.#isWhole ? "" : " (after the drag)";
+    const whole = answer.isWhole ? "" : " (after the drag)";
     /** @type {[string, string][]} */
     const facts = [
       ["Vertices of A, B", this.shapes.map(countOf).join(", ")],
@@ -196,14 +178,14 @@ export class SumView extends View {
       ["Exact fits", `${fits(count(3), count(4))}${whole}`],
       ["Area", short(region.area)],
       ["Error at most", region.errorBound === 0 ? "0, exact" : region.errorBound.toPrecision(2)],
-      ["Edge from", this.#source?.words ?? "point at an edge of the result"],
+      ["Edge from", this.#source?.words ?? "none chosen"],
       ["Computed in", `${this.#milliseconds.toFixed(1)} ms`],
     ];
     if (this.#isNoFit) {
       facts.unshift(["A and B are", lies[answer.relation]]);
     }
     if (this.#hasSuperset) {
-      facts.splice(-1, 0, ["Superset edges", String(answer.superset.length / 4)]);
+      facts.splice(-1, 0, ["Superset edges", `${answer.superset.length / 4}${whole}`]);
     }
     return facts;
   }
@@ -224,37 +206,24 @@ export class SumView extends View {
   /** @override @param {import("../pen.js").Pen} pen */
   draw(pen) {
     const answer = /** @type {Answer | null} */ (this.answer);
-    pen.cross([0, 0], "faint", 5);
+    if (!this.#isNoFit) {
+      pen.cross([0, 0], "faint", 5);
+    }
     if (answer !== null) {
       pen.edges(answer.superset, this.#at, "faint", 0.75);
       pen.region(answer.region, this.#at, "sum", this.problem === "" ? 0.2 : 0.05);
     }
     this.drawShapes(pen, ["a", "b"]);
+    if (answer !== null) {
+      pen.fits(answer.region, this.#at);
+    }
+    this.drawNames(pen, ["a", "b"]);
     if (this.#isNoFit) {
       pen.cross(placeOf(this.shapes[1], { ring: 0, index: 0 }), "b", 7);
     }
-    const source = this.#source;
-    if (this.#edge !== null && source !== null) {
-      this.#drawSource(pen, this.#edge, source);
+    if (this.#edge !== null && answer !== null) {
+      const ends = endsOf(answer.region, this.#at, this.#edge);
+      drawSource(pen, ends, sourceOf(answer.region, this.#edge), this.shapes);
     }
-  }
-
-  /** @param {import("../pen.js").Pen} pen @param {number} edge @param {{ kind: number, a: number, b: number }} source */
-  #drawSource(pen, edge, { kind, a, b }) {
-    const [start, end] = this.#endsOf(edge);
-    pen.line(start, end, "mark", 4);
-    pen.dot(start, "mark", 4);
-    if (kind === 0) {
-      return;
-    }
-    const numbers = [a, b];
-    this.shapes.forEach((shape, k) => {
-      const corner = cornerOf(shape, numbers[k]);
-      if (kind === 3 || kind === k + 1) {
-        pen.line(placeOf(shape, corner), placeOf(shape, neighbour(shape, corner)), "mark", 4);
-      } else {
-        pen.dot(placeOf(shape, corner), "mark", 6);
-      }
-    });
   }
 }
