@@ -159,6 +159,9 @@ test("a file is opened, and one without polygons is named", async () => {
   const buffer = Buffer.from(`MULTIPOLYGON ((${square.slice(9, -1)}), (${triangle.slice(9, -1)}))`);
   await page.setInputFiles("#file", { name: "two.wkt", mimeType: "text/plain", buffer });
   await until(page, "Vertices of A, B", "4, 3");
+  const shapes = '<rect x="1" y="1" width="9" height="5"/><polygon points="0,0 4,0 4,4 2,6 0,4"/>';
+  await give(page, "drop", `<svg xmlns="http://www.w3.org/2000/svg">${shapes}</svg>`);
+  await until(page, "Vertices of A, B", "4, 5");
   await give(page, "drop", "nothing");
   await page.waitForFunction(() => document.getElementById("problem")?.textContent?.includes("no polygon"));
   await give(page, "drop", "M 0 0 C 1 1 2 2 3 3 Z");

@@ -85,6 +85,12 @@ test("polygons dropped on the sheet are parts; with the sheet selected, the shee
   const page = await show("sheet");
   await give(page, "drop", "M 0 0 H 3 V 1 H 0 Z", await onScreen(page, 12, 6));
   await until(page, "Parts", "8");
+  const bar = "((0 0, 3 0, 3 1, 0 1, 0 0))";
+  await give(page, "paste", `MULTIPOLYGON (${bar}, ${bar}, ${bar})`);
+  await until(page, "Parts", "11");
+  await page.waitForFunction(() => document.getElementById("live")?.textContent?.startsWith("Part 4"));
+  const corners = [8, 9, 10, 11].map((shape) => ringOf(page, shape));
+  assert.equal(new Set((await Promise.all(corners)).map(String)).size, 4);
   await page.locator("#objects button").first().focus();
   await give(page, "paste", "POLYGON ((0 0, 40 0, 40 20, 0 20, 0 0))");
   await page.waitForFunction(() =>

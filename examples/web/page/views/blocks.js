@@ -20,6 +20,7 @@ export class BlocksView extends View {
   #milliseconds = 0;
   #limit;
   #isOutside;
+  #shown;
 
   /** @param {import("../view.js").Page} page */
   constructor(page) {
@@ -28,13 +29,28 @@ export class BlocksView extends View {
     this.selected = 1;
     this.#limit = this.element("limit", HTMLInputElement);
     this.#isOutside = this.element("outside", HTMLInputElement);
-    const shown = this.element("limit-shown", HTMLOutputElement);
+    this.#shown = this.element("limit-shown", HTMLOutputElement);
     this.#limit.addEventListener("input", () => {
-      shown.textContent = this.#limit.value;
+      this.#shown.textContent = this.#limit.value;
       this.changed();
     });
+    this.#setLimits();
     this.#isOutside.addEventListener("change", () => this.changed());
     this.element("escape", HTMLButtonElement).addEventListener("click", () => void this.#escape());
+  }
+
+  /** Distances of contacts that suit the size of the blocks. */
+  #setLimits() {
+    const [xmin, ymin, xmax, ymax] = boundsOf(...this.shapes);
+    const unit = 2 ** Math.floor(Math.log2(Math.max(xmax - xmin, ymax - ymin) / 8));
+    [this.#limit.max, this.#limit.step] = [String(4 * unit), String(unit / 8)];
+    this.#shown.textContent = this.#limit.value = String(unit);
+  }
+
+  /** @override @param {Float64Array[][]} polygons @param {Point | null} point */
+  take(polygons, point) {
+    super.take(polygons, point);
+    this.#setLimits();
   }
 
   /** Room for B to go round A. @override */

@@ -35,7 +35,7 @@ export class SheetView extends View {
     const kind = this.element("part", HTMLSelectElement);
     const on = (/** @type {string} */ id, /** @type {() => void} */ act) =>
       this.element(id, HTMLButtonElement).addEventListener("click", act);
-    on("add", () => this.#add(kind.value, parts[kind.value]));
+    on("add", () => void this.#add(kind.value, parts[kind.value]));
     on("remove", () => this.#removePart());
     on("turn", () => this.#turn());
     on("place", () => void this.place());
@@ -135,7 +135,7 @@ export class SheetView extends View {
   }
 
   /** @param {string} kind @param {ArrayLike<number>[]} rings */
-  #add(kind, rings, [x, y] = centreOf(boundsOf(this.shapes[0]))) {
+  async #add(kind, rings, [x, y] = centreOf(boundsOf(this.shapes[0]))) {
     if (this.shapes.length > mostParts) {
       this.page.say(`There are ${mostParts} parts, and no more are taken.`);
       return;
@@ -145,7 +145,7 @@ export class SheetView extends View {
     part.at = [this.page.stage.snap(x - cx), this.page.stage.snap(y - cy)];
     this.selected = this.shapes.push(part) - 1;
     this.page.shapesChanged();
-    void this.place();
+    await this.place();
   }
 
   #removePart() {
@@ -169,16 +169,16 @@ export class SheetView extends View {
 
   /** With the sheet selected, the first polygon is the sheet; all others are parts.
    * @override @param {Float64Array[][]} polygons @param {Point | null} point */
-  take(polygons, point) {
+  async take(polygons, point) {
     const isOnSheet = this.selected === 0;
-    polygons.forEach((rings, k) => {
+    for (const [k, rings] of polygons.entries()) {
       if (isOnSheet && k === 0) {
         setRings(this.shapes[0], rings);
         this.page.stage.fit(this.box());
       } else {
-        this.#add("part", rings, point ?? undefined);
+        await this.#add("part", rings, point ?? undefined);
       }
-    });
+    }
     this.page.shapesChanged();
     this.changed();
   }
