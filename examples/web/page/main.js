@@ -116,6 +116,7 @@ function show(name) {
     tab.tabIndex = isChosen ? 0 : -1;
     element(tab.id.replace("tab", "panel"), HTMLElement).hidden = !isChosen;
   }
+  element("vertices", HTMLElement).hidden = !view.hasVertices;
   clearTimeout(saying);
   live.textContent = "";
   if (view.camera === null) {

@@ -106,8 +106,8 @@ export class Pen {
     }
   }
 
-  /** Many edges, with four coordinates each; the more there are, the fainter. @param {Float64Array} edges @param {Point} at
-   * @param {string} colour @param {number} width */
+  /** Many edges, with four coordinates each; the more there are, the fainter.
+   * @param {Float64Array} edges @param {Point} at @param {string} colour @param {number} width */
   edges(edges, [dx, dy], colour, width) {
     const { context, stage } = this;
     context.beginPath();

@@ -149,7 +149,8 @@ export function give(page, how, text, [clientX, clientY] = [0, 0]) {
       }
       data.items.add(new File([text], "polygon.txt"));
       const target = document.getElementById("stage");
-      target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, clientX, clientY, bubbles: true, cancelable: true }));
+      const where = { clientX, clientY, bubbles: true, cancelable: true };
+      target?.dispatchEvent(new DragEvent("drop", { dataTransfer: data, ...where }));
     },
     { how, text, clientX, clientY },
   );

@@ -53,7 +53,8 @@ test("a finger drags a shape, two fingers zoom", async () => {
   await page.tap("#tab-blocks");
   await until(page, "A and B are", "apart");
   const client = await context.newCDPSession(page);
-  const touch = async (/** @type {"touchStart" | "touchMove" | "touchEnd"} */ type, /** @type {number[][]} */ ...points) => {
+  /** @param {"touchStart" | "touchMove" | "touchEnd"} type @param {number[][]} points */
+  const touch = async (type, ...points) => {
     const touchPoints = points.map(([x, y], id) => ({ x, y, id }));
     await client.send("Input.dispatchTouchEvent", { type, touchPoints });
   };
