@@ -1,0 +1,20 @@
+// Copyright (C) 2026 The libgcv authors
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Texts that polygons are made from.
+
+import { Polygon } from "../../../../bindings/javascript/dist/index.js";
+
+/** The rings of each text's polygon, turned by its matrix if it has one.
+ * @param {import("../reading.js").Source[]} sources @returns {Float64Array[][]} */
+export function read(sources) {
+  return sources.map(({ text, matrix }) => {
+    const made = [new Polygon(text)];
+    if (matrix !== null) {
+      made.push(made[0].affine(matrix));
+    }
+    const rings = made[made.length - 1].rings.map((ring) => ring.slice());
+    made.forEach((polygon) => polygon.free());
+    return rings;
+  });
+}
