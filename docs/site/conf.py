@@ -47,6 +47,8 @@ autodoc_class_signature = "mixed"
 copybutton_prompt_text = r">>> |\.\.\. |\$ "
 copybutton_prompt_is_regexp = True
 
+highlight_language = "none"
+
 html_theme = "furo"
 html_title = f"libgcv {release}"
 html_static_path = ["static"]
