@@ -18,6 +18,7 @@ version = release = gcv.__version__
 
 extensions = [
     "breathe",
+    "complete",
     "myst_nb",
     "source_pages",
     "sphinx.ext.autodoc",

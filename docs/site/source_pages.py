@@ -74,7 +74,7 @@ def new_link(env: BuildEnvironment, link: nodes.Element, path: Path, anchor: str
             reftargetid=anchor or None,
             refexplicit=True,
         )
-    env.linked_files.setdefault(env.docname, set()).add(str(path))  # type: ignore[attr-defined]
+    env.metadata[env.docname].setdefault("linked", set()).add(str(path))
     up = "../" * env.docname.count("/")
     inline = nodes.reference("", "", internal=True, refuri=f"{up}{page_name(path)}.html")
     inline += [inner for child in children for inner in child.children] or children
@@ -85,19 +85,10 @@ def page_name(path: Path) -> str:
     return f"source/{path}"
 
 
-def forget(app: Sphinx, env: BuildEnvironment, page: str) -> None:
-    env.linked_files.pop(page, None)  # type: ignore[attr-defined]
-
-
-def begin(app: Sphinx) -> None:
-    if not hasattr(app.env, "linked_files"):
-        app.env.linked_files = {}  # type: ignore[attr-defined]
-
-
 def source_pages(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
     bridge = PygmentsBridge("html")
-    linked = set().union(*app.env.linked_files.values())  # type: ignore[attr-defined]
-    for name in sorted(linked):
+    linked = [page.get("linked", set()) for page in app.env.metadata.values()]
+    for name in sorted(set().union(*linked)):
         path = Path(name)
         body = names(path) if (ROOT / path).is_dir() else text(path, bridge)
         context = {"title": name, "body": f"<h1>{escape(name)}</h1>{body}", "display_toc": False}
@@ -120,8 +111,6 @@ def text(path: Path, bridge: PygmentsBridge) -> str:
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.connect("builder-inited", begin)
-    app.connect("env-purge-doc", forget)
     app.connect("doctree-read", redirect_links)
     app.connect("html-collect-pages", source_pages)
-    return {"parallel_read_safe": False, "parallel_write_safe": True}
+    return {"parallel_read_safe": True, "parallel_write_safe": True}

@@ -9,7 +9,7 @@ This checks that each block has a runner, or a comment before it:
 A comment `<!-- rust: run by rust.test -->` is about all blocks of a page in a language. Commands
 that are not run are parsed, and what they call of the repository must be there.
 
-With languages to be run it runs their blocks, and compares what they print with the block behind them.
+With languages to be run, it runs their blocks, and compares what they print with the block behind.
 """
 
 from __future__ import annotations
@@ -73,14 +73,14 @@ def run_blocks(found: list[Block], languages: list[str]) -> Iterator[str]:
                 yield from faults(chosen, language)
 
 
-def count(found: list[Block]) -> str:
-    run = Counter(block.language for block in found if is_run(block))
-    elsewhere = Counter(block.run_by for block in found if block.run_by)
-    left = Counter(block.not_run for block in found if block.not_run)
-    return "\n".join(
-        f"{counter.total()} {what}: " + ", ".join(f"{n} {name}" for name, n in sorted(counter.items()))
-        for what, counter in (("run", run), ("run by other tests", elsewhere), ("not run", left))
-    )
+def count(found: list[Block]) -> Iterator[str]:
+    run = [block.language for block in found if is_run(block)]
+    elsewhere = [block.run_by for block in found if block.run_by]
+    left = [block.not_run for block in found if block.not_run]
+    for what, names in (("run", run), ("run by other tests", elsewhere), ("not run", left)):
+        if names:
+            counts = (f"{n} {name}" for name, n in sorted(Counter(names).items()))
+            yield f"{len(names)} {what}: {', '.join(counts)}"
 
 
 def main() -> int:
@@ -95,7 +95,7 @@ def main() -> int:
         wrong = list(run_blocks(found, options.run))
     else:
         wrong = list(check_marks(root, found))
-    print(*wrong, count(found), f"{len(wrong)} faults", sep="\n")
+    print(*wrong, *count(found), f"{len(wrong)} faults", sep="\n")
     if not found:
         print("no blocks were found, so nothing was tested")
     return int(bool(wrong) or not found)

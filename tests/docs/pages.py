@@ -77,9 +77,7 @@ def language_of(info: str) -> str:
     return first
 
 
-def output_of(
-    text: str, fence: re.Match[str], following: Optional[re.Match[str]]
-) -> Optional[str]:
+def output_of(text: str, fence: re.Match[str], following: Optional[re.Match[str]]) -> Optional[str]:
     if not following or following[3].strip():
         return None
     between = text[fence.end() : following.start()]

@@ -139,8 +139,8 @@ def js(blocks: list[Block], scratch: pathlib.Path) -> Iterator[str]:
         (modules / "gcv").symlink_to(os.environ.get("GCV_JAVASCRIPT", ROOT / "bindings/javascript"))
     text = "\n".join(block.text for block in blocks)
     expected = [comment for _, comment in LOGGED.findall(text)]
-    separate = f"\\1 console.log({SEPARATOR!r});"
-    (scratch / "page.mjs").write_text(LOGGED.sub(lambda log: log.expand(separate), text))
+    separated = LOGGED.sub(lambda log: f"{log[1]} console.log('{SEPARATOR}');", text)
+    (scratch / "page.mjs").write_text(separated)
     output, wrong = run(["node", "page.mjs"], scratch)
     if wrong or not expected:
         yield from compared(blocks[-1], output, wrong)
@@ -168,9 +168,4 @@ RUNNERS: dict[str, Runner] = {
 def faults(blocks: list[Block], language: str) -> list[str]:
     """What is wrong with the blocks of one page in one language."""
     with tempfile.TemporaryDirectory() as scratch:
-        before = pathlib.Path.cwd()
-        os.chdir(scratch)
-        try:
-            return list(RUNNERS[language](blocks, pathlib.Path(scratch)))
-        finally:
-            os.chdir(before)
+        return list(RUNNERS[language](blocks, pathlib.Path(scratch)))
