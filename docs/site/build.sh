@@ -53,6 +53,7 @@ build_site() {
   build/docs-venv/bin/sphinx-build --quiet --fresh-env --fail-on-warning --keep-going \
     --doctree-dir build/site-cache --conf-dir docs/site docs build/site \
     > build/site.log 2>&1 || { cat build/site.log >&2; exit 1; }
+  build/docs-venv/bin/python docs/site/check.py build/site >&2
 }
 
 mkdir -p build

@@ -1,13 +1,14 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Where links from the manual to files of the repository lead.
 
-A page that the manual includes is linked as a page of the manual. Any other file becomes a page
-with its text, and a folder a page with the names of its files. So every link of the site works
-where nothing but the site is there.
+A page that the manual includes is linked as a page of the manual. A file of HTML is copied with
+its folder. Any other file becomes a page with its text, and a folder a page with the names of its
+files. So every link of the site works where nothing but the site is there.
 """
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 from collections.abc import Iterator
 from html import escape
@@ -76,13 +77,13 @@ def new_link(env: BuildEnvironment, link: nodes.Element, path: Path, anchor: str
         )
     env.metadata[env.docname].setdefault("linked", set()).add(str(path))
     up = "../" * env.docname.count("/")
-    inline = nodes.reference("", "", internal=True, refuri=f"{up}{page_name(path)}.html")
+    inline = nodes.reference("", "", internal=True, refuri=f"{up}{location(path)}")
     inline += [inner for child in children for inner in child.children] or children
     return inline
 
 
-def page_name(path: Path) -> str:
-    return f"source/{path}"
+def location(path: Path) -> str:
+    return f"source/{path}" if path.suffix == ".html" else f"source/{path}.html"
 
 
 def source_pages(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
@@ -90,9 +91,13 @@ def source_pages(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
     linked = [page.get("linked", set()) for page in app.env.metadata.values()]
     for name in sorted(set().union(*linked)):
         path = Path(name)
+        if path.suffix == ".html":
+            folder = Path(app.outdir, "source", path.parent)
+            shutil.copytree(ROOT / path.parent, folder, dirs_exist_ok=True)
+            continue
         body = names(path) if (ROOT / path).is_dir() else text(path, bridge)
         context = {"title": name, "body": f"<h1>{escape(name)}</h1>{body}", "display_toc": False}
-        yield page_name(path), context, "page.html"
+        yield f"source/{path}", context, "page.html"
 
 
 def names(folder: Path) -> str:
@@ -111,6 +116,6 @@ def text(path: Path, bridge: PygmentsBridge) -> str:
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
-    app.connect("doctree-read", redirect_links)
+    app.connect("doctree-read", redirect_links, priority=100)  # before files to download are copied
     app.connect("html-collect-pages", source_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
