@@ -4,6 +4,9 @@
 import sys
 from pathlib import Path
 
+from docutils import nodes
+from sphinx.application import Sphinx
+
 SITE = Path(__file__).resolve().parent
 ROOT = SITE.parent.parent
 sys.path.insert(0, str(SITE))
@@ -56,3 +59,15 @@ html_static_path = ["static"]
 html_css_files = ["manual.css"]
 html_copy_source = False
 html_show_sphinx = False
+
+
+def strip_blocks(app: Sphinx, doctree: nodes.document) -> None:
+    """Drop the empty line that ends sessions of Python, which doctest needs and readers do not."""
+    for block in doctree.findall(nodes.literal_block):
+        if block.rawsource == block.astext():
+            block.rawsource = block.rawsource.rstrip("\n")
+            block.children = [nodes.Text(block.rawsource)]
+
+
+def setup(app: Sphinx) -> None:
+    app.connect("doctree-read", strip_blocks)
