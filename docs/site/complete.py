@@ -6,11 +6,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import gcv
 from sphinx.application import Sphinx
 from sphinx.environment import BuildEnvironment
 from sphinx.errors import ExtensionError
-
-import gcv
 
 MAP = Path(__file__).resolve().parent.parent.parent / "capi" / "gcv.map"
 

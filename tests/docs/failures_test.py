@@ -59,7 +59,8 @@ PAGES = {
         """
         ```js
         import { minkowskiSum } from "gcv";
-        console.log(minkowskiSum([[0, 0], [1, 0], [0, 1]], [[0, 0], [1, 0], [0, 1]]).area); // 2: area
+        const triangle = [[0, 0], [1, 0], [0, 1]];
+        console.log(minkowskiSum(triangle, triangle).area); // 2: area
         ```
         """,
         [("// 2", "// 3"), ("minkowskiSum(", "sum(")],
