@@ -12,6 +12,8 @@ import sys
 import urllib.parse
 from collections.abc import Iterator
 
+from pages import pages
+
 FENCE = re.compile(r"^ {0,3}(```|~~~).*?^ {0,3}\1", re.MULTILINE | re.DOTALL)
 CODE = re.compile(r"`[^`\n]*`")
 LINK = re.compile(r"\]\(\s*<?([^)\s>]+)>?(?:\s+\"[^\"]*\")?\s*\)")
@@ -19,19 +21,6 @@ REFERENCE = re.compile(r"^ {0,3}\[[^\]]+\]:\s+<?([^\s>]+)", re.MULTILINE)
 HTML = re.compile(r"""<(?:a|img)\b[^>]*?\b(?:href|src)=["']([^"']+)""")
 HEADING = re.compile(r"^#{1,6} +(.+?) *#*$", re.MULTILINE)
 ELSEWHERE = re.compile(r"[a-z][a-z0-9+.-]*:", re.IGNORECASE)
-
-# Folders of what others make: builds, tools, and the repository's own.
-SKIPPED = {"build", "venv", ".git", "target", "node_modules", "__pycache__"}
-
-
-def pages(root: pathlib.Path) -> Iterator[pathlib.Path]:
-    for file in sorted(root.iterdir()):
-        if file.is_symlink() or file.name in SKIPPED:
-            continue
-        if file.is_dir():
-            yield from pages(file)
-        elif file.suffix == ".md":
-            yield file
 
 
 def prose(text: str) -> str:

@@ -30,14 +30,16 @@ EDGE_TRANSLATED_CORNER = 3
 class EdgeSource(NamedTuple):
     """Where an edge of a sum comes from.
 
-    The kind is one of the EDGE_ constants, which say whether a and b are numbers of
-    vertices or of edges: of vertex k as passed, or of the edge from vertex k to k+1.
-    It is 0 where a region has no edge.
+    The kind says whether a and b are numbers of vertices or of edges: of vertex k as
+    passed, or of the edge from vertex k to k+1.
     """
 
     kind: int
+    """EDGE_TRANSLATED, EDGE_CORNER or EDGE_TRANSLATED_CORNER; 0 where a region has no edge."""
     a: int
+    """Of A."""
     b: int
+    """Of B."""
 
 
 class Stats(NamedTuple):

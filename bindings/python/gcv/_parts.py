@@ -29,7 +29,7 @@ class RegionPart(NamedTuple):
     """One part of a region: a ring, a segment or a point."""
 
     kind: int
-    """One of the PART_ constants."""
+    """PART_OUTER, PART_HOLE, PART_SEGMENT or PART_POINT."""
     polygon: Optional[int]
     """The number of the polygon, from 0; None for segments and points."""
     start: int

@@ -22,8 +22,11 @@ class SupersetEdge(NamedTuple):
     """An edge of the superset, from one point to another."""
 
     start: tuple[float, float]
+    """Its first point, in floats."""
     end: tuple[float, float]
+    """Its last point, in floats."""
     source: EdgeSource
+    """Where it comes from."""
 
 
 def minkowski_sum(

@@ -8,8 +8,9 @@
  * may have holes. There are two answers:
  *
  * - A gcv_outer_face is the boundary of the unbounded face outside of the sum: one simple
- *   ring, after the paper "Generalized Contributing Vertices-Based Method for Minkowski Sum
- *   Outer-Face of Two Polygons". The ring says nothing about the inside of the sum.
+ *   ring, after the paper
+ *   "Generalized Contributing Vertices-Based Method for Minkowski Sum Outer-Face of Two Polygons".
+ *   The ring says nothing about the inside of the sum.
  * - A gcv_region is the whole sum: its outer ring, its holes, and the segments and points
  *   where one polygon fits the other exactly.
  *
