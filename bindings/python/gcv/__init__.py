@@ -37,6 +37,7 @@ from ._facts import (
 )
 from ._ffi import Error, InputError
 from ._locating import Location
+from ._offset import offset
 from ._outer_face import OuterFace
 from ._pair_list import PairList
 from ._parts import (
@@ -154,6 +155,7 @@ __all__ = [
     "no_fit_polygon_many",
     "no_fit_region",
     "no_fit_region_many",
+    "offset",
     "penetration",
     "relation",
     "superset",

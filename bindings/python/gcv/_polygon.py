@@ -149,7 +149,7 @@ class Polygon(Shape):
         Every point of its boundary is within the tolerance of the circle, and every
         point of the circle within the tolerance of its boundary; that is certified by
         exact arithmetic. With rounding="outward" the polygon contains the disc. It has
-        about 2.2 sqrt(radius / tolerance) vertices, or 3.2 with "outward", up to twice
+        about 1.6 sqrt(radius / tolerance) vertices, or 2.2 with "outward", up to twice
         as many.
 
         centre is (x, y); radius and tolerance are in input units. The tolerance must
