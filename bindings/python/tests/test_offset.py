@@ -143,10 +143,10 @@ def test_failures(arguments: tuple[Any, Any], message: str) -> None:
 
 
 def test_failures_of_polygons() -> None:
-    with pytest.raises(gcv.InputError, match="^polygon: None is not a polygon"):
+    with pytest.raises(gcv.InputError, match=r"^polygon: None is not a polygon"):
         gcv.offset(None, 1, 0.1)  # type: ignore[arg-type]
     far = gcv.Polygon(SQUARE).translated((1e9, 0))
-    with pytest.raises(gcv.InputError, match="^tolerance: 1e-07 is too small"):
+    with pytest.raises(gcv.InputError, match=r"^tolerance: 1e-07 is too small"):
         gcv.offset(far, 0.3, 1e-7)
     with pytest.raises(gcv.Error) as failure:
         gcv.offset(HUGE, 1.5e308, 1e300)
