@@ -58,8 +58,9 @@ from ._region_sums import (
     no_fit_region,
     no_fit_region_many,
 )
+from ._result_list import ResultList
 from ._scene import Scene
-from ._sources import PolygonLike
+from ._sources import PolygonLike, PolygonsLike
 from ._sums import (
     SupersetEdge,
     entrance_block,
@@ -129,11 +130,13 @@ __all__ = [
     "PairList",
     "Polygon",
     "PolygonLike",
+    "PolygonsLike",
     "Progress",
     "Region",
     "RegionPart",
     "RegionPolygon",
     "Relation",
+    "ResultList",
     "Rounding",
     "Scene",
     "Separation",

@@ -15,7 +15,8 @@ from ._facts import EdgeSource
 from ._many import each, vertex_pairs
 from ._outer_face import OuterFace
 from ._polygon import as_polygon
-from ._sources import PolygonLike
+from ._result_list import ResultList
+from ._sources import PolygonLike, PolygonsLike
 
 
 class SupersetEdge(NamedTuple):
@@ -143,33 +144,33 @@ def entrance_block(
 
 @overload
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
-) -> list[OuterFace]: ...
+) -> ResultList[OuterFace]: ...
 
 
 @overload
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
-) -> list[Union[OuterFace, _ffi.Error]]: ...
+) -> ResultList[Union[OuterFace, _ffi.Error]]: ...
 
 
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = "nearest",
     tolerance: float = 0.0,
@@ -202,8 +203,8 @@ def minkowski_sum_many(
 
 @overload
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -211,13 +212,13 @@ def no_fit_polygon_many(
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
-) -> list[OuterFace]: ...
+) -> ResultList[OuterFace]: ...
 
 
 @overload
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -225,12 +226,12 @@ def no_fit_polygon_many(
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
-) -> list[Union[OuterFace, _ffi.Error]]: ...
+) -> ResultList[Union[OuterFace, _ffi.Error]]: ...
 
 
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = None,
     *,
     rounding: Rounding = "nearest",
