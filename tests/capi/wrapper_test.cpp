@@ -181,7 +181,7 @@ static void scenes() {
   CHECK(scene.relation(square, {2, 0}) == Relation::touching);
   CHECK(scene.relation(square, {2, 0}, {0, {}}) == Relation::apart);
   CHECK(scene.distance(square, {2, 0}).distance == 0);
-  CHECK(scene.distance(square, {2, 0.5}).nearest.id_a == 1);
+  CHECK(scene.distance(box(0, 0, 0.5, 0.5), {2.125, 0.75}).nearest.id_a == 3);
   CHECK(scene.penetration(square, {1.75, 0}).depth == 0.25);
   CHECK(scene.cast(square, {2, 1}, {0, -1}).hit == 0);
   CHECK(scene.best(square, {0, -1}) == std::optional<Point>(Point{2, 0}));
