@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import re
 import reprlib
 import struct
@@ -128,6 +129,15 @@ def number(value: Any, name: str) -> float:
     """The value as a float, which the argument of that name should be."""
     (as_float,) = numbers((value,), 1, name, value, "a number")
     return as_float
+
+
+def count(value: Any, name: str) -> int:
+    """The value as a number of 32 bits, which the argument of that name should be."""
+    try:
+        (whole,) = array("i", [operator.index(value)])
+    except (TypeError, OverflowError):
+        raise unfit(name, value, "a whole number of 32 bits") from None
+    return whole
 
 
 def pair(value: Any, name: str) -> tuple[float, float]:

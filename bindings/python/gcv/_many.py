@@ -98,13 +98,18 @@ def _read(
 
     (a, first), (b, second) = ((name, polygons(name, some)) for name, some in sources.items())
     if len(first) != len(second):
-        raise ValueError(f"{a} has {len(first)} polygons, {b} has {len(second)}")
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT, f"{a} has {len(first)} polygons, {b} has {len(second)}"
+        )
     points: list[Any] = [(0.0, 0.0)] * len(first)
     if references is not None:
         given = iterable(references, "references", "a sequence of pairs of numbers")
         points = [read(pair, point, f"references[{k}]") for k, point in enumerate(given)]
     if len(points) != len(first):
-        raise ValueError(f"{a} has {len(first)} polygons, references has {len(points)} points")
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT,
+            f"{a} has {len(first)} polygons, references has {len(points)} points",
+        )
     results: list[Any] = [None] * len(first)
     pairs = []
     for k, found in enumerate(zip(first, second, points)):

@@ -250,8 +250,9 @@ class Polygon(Shape):
         Raises InputError for a tolerance that is negative or not finite.
         """
         handle, bound = _ffi.Polygon(), c_double()
+        limit = number(tolerance, "tolerance")
         _ffi.polygon_simplified(
-            self._handle, tolerance, value_of(rounding), byref(handle), byref(bound)
+            self._handle, limit, value_of(rounding), byref(handle), byref(bound)
         )
         return Simplified(self._of(normalised_rings(handle, self.ring_count)), bound.value)
 

@@ -180,6 +180,11 @@ def minkowski_sum_many(
 ) -> Any:
     """Many sums in one call: the k-th outer face is that of a[k] + b[k].
 
+    a, b: sequences of whatever Polygon can be made from; or columns, as GeoPandas has them
+    (a GeoSeries, a GeoDataFrame, a GeometryArray), or Arrow arrays of geoarrow.polygon,
+    geoarrow.multipolygon, geoarrow.wkb or geoarrow.wkt, which take pyarrow. Pairs are made
+    by position. The result is a list that is such a column too, see ResultList.
+
     Each is what minkowski_sum gives, whose options these are; the pairs are shared out
     over the threads. A polygon that occurs more than once is best made a Polygon first,
     for whatever else is made one at each occurrence.
@@ -190,8 +195,8 @@ def minkowski_sum_many(
     any other. The text of an Error for a source names it, as in "a[2]"; the text of the
     first other one names the pair and the reason.
 
-    Raises as Polygon does, InputError for an option, and ValueError where a and b are
-    not equally many.
+    Raises as Polygon does, and InputError for an option, where a and b are not equally
+    many, and for columns whose indexes or reference systems differ.
     """
     return each(
         *(_ffi.minkowski_sum_many, OuterFace, {"a": a, "b": b}),
