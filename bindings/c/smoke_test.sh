@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
 # Installs a build to a fresh folder and uses it from there as a stranger would.
-# Usage: smoke_test.sh BUILD_FOLDER WORK_FOLDER; CC, CMAKE and PKG_CONFIG name tools.
+# Usage: smoke_test.sh BUILD_FOLDER WORK_FOLDER; CC, CXX, CMAKE and PKG_CONFIG name tools.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -11,6 +11,7 @@ build=$1
 work=$2
 prefix=$work/prefix
 cc="${CC:-cc} -std=c99 -Wall -Wextra -Werror"
+cxx="${CXX:-c++} -std=c++17 -Wall -Wextra -Werror"
 
 fail() {
   echo "smoke_test: $*" >&2
@@ -70,3 +71,10 @@ echo "POLYGON ((0 0, 1 0, 1 1, 0 1, 0 0))" >square.wkt
   fail "the example of the README with files fails"
 if ./files square.wkt none.wkt 2>files.log; then fail "a file that there is not is read"; fi
 grep -q "GCVX_ERR_SYSTEM: No such file" files.log || fail "the message is $(cat files.log)"
+
+example cpp 1 >region.cpp
+$cxx region.cpp $flags -o region
+# Behind it, the first block without a language.
+sed '1,/^```cpp$/d' "$here/README.md" | sed '1,/^```$/d' |
+  awk '$0 == "```" && on { exit } on { print } $0 == "```" { on = 1 }' >region.expected
+./region | diff - region.expected || fail "the example of the README in C++ fails"

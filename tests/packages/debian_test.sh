@@ -72,7 +72,7 @@ fi
 say "install, use, purge"
 traces > "$scratch/before"
 grep -w installed "$scratch/before" && fail "this machine has packages of the library"
-for name in c cmake python3; do
+for name in c cpp cmake python3; do
   mkdir -p "$scratch/untested/$name"
   AUTOPKGTEST_TMP=$scratch/untested/$name "debian/tests/$name" > "$scratch/$name.log" 2>&1 &&
     fail "debian/tests/$name passes without the packages"

@@ -60,7 +60,8 @@ mkdir unpacked
 cmake -E chdir unpacked cmake -E tar xf "$(echo "$scratch"/build/gcv-*-windows-x86_64.zip)"
 cd unpacked/gcv-*
 package=$PWD
-for file in LICENSE README.md include/gcv/gcv.h include/gcv/gcvx.h lib/gcv.def; do
+for file in LICENSE README.md include/gcv/gcv.h include/gcv/gcvx.h include/gcv/gcv.hpp \
+  include/gcv/hpp/base.hpp lib/gcv.def; do
   [ -f "$file" ] || fail "there is no $file"
 done
 python3 "$source/tests/packages/dll_test.py" --objdump x86_64-w64-mingw32-objdump \

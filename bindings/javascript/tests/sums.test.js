@@ -150,3 +150,32 @@ test("supersets and the version", () => {
   assert.ok(edges.every(({ source }) => source.kind === gcv.EdgeKind.TRANSLATED_CORNER));
   assert.match(gcv.libraryVersion(), /^\d+\.\d+\.\d+$/);
 });
+
+test("clearances", () => {
+  const grown = gcv.offset(sheet, 0.5, 0.01);
+  assert.deepEqual(grown.polygons.map((rings) => rings.length), [3]);
+  // (-0.3, -0.4) is at the distance from a corner.
+  const places = grown.locate([[-0.3, -0.4], [-0.5, 3], [-0.31, -0.42], [1.5, 3], [1.52, 3]]);
+  assert.ok(places[0] >= 0 && places[1] >= 0 && places[3] >= 0);
+  assert.deepEqual([places[2], places[4]], [-1, -1]);
+  const shrunk = gcv.offset(square(4), -1, 0.01);
+  assert.ok(shrunk.bounds[0] >= 1 && shrunk.area > 3.9 && shrunk.area <= 4);
+  assert.equal(gcv.offset(square(4), -2, 0.01).polygons.length, 0);
+  assert.ok(grown.errorBound <= 0.01 / 16 && gcv.offset(sheet, 2, 0.1).polygons[0].length === 1);
+
+  for (const distance of [0, NaN, Infinity, "1"]) {
+    assert.throws(() => gcv.offset(sheet, distance, 0.01), { message: /^distance: .* is not a / });
+  }
+  for (const tolerance of [0, -1, NaN, undefined]) {
+    assert.throws(() => gcv.offset(sheet, 1, tolerance), { message: /^tolerance: .* is not a / });
+  }
+  for (const [place, tolerance] of [[0, 1e-17], [1e9, 1e-7]]) {
+    const far = new gcv.Polygon(square(1)).translated([place, 0]);
+    assert.throws(() => gcv.offset(far, 0.3, tolerance), {
+      name: "InputError",
+      message: /^tolerance: .* is too small for the roundings/,
+    });
+  }
+  assert.throws(() => gcv.offset([[0, 0]], 1, 0.1), { message: /^polygon: / });
+  assert.throws(() => gcv.offset(star(99), 1, 0.1, { progress: () => true }), gcv.CancelledError);
+});

@@ -37,6 +37,7 @@ from ._facts import (
 )
 from ._ffi import Error, InputError
 from ._locating import Location
+from ._offset import offset
 from ._outer_face import OuterFace
 from ._pair_list import PairList
 from ._parts import (
@@ -57,8 +58,9 @@ from ._region_sums import (
     no_fit_region,
     no_fit_region_many,
 )
+from ._result_list import ResultList
 from ._scene import Scene
-from ._sources import PolygonLike
+from ._sources import PolygonLike, PolygonsLike
 from ._sums import (
     SupersetEdge,
     entrance_block,
@@ -128,11 +130,13 @@ __all__ = [
     "PairList",
     "Polygon",
     "PolygonLike",
+    "PolygonsLike",
     "Progress",
     "Region",
     "RegionPart",
     "RegionPolygon",
     "Relation",
+    "ResultList",
     "Rounding",
     "Scene",
     "Separation",
@@ -154,6 +158,7 @@ __all__ = [
     "no_fit_polygon_many",
     "no_fit_region",
     "no_fit_region_many",
+    "offset",
     "penetration",
     "relation",
     "superset",

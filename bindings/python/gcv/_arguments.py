@@ -124,6 +124,14 @@ def parser() -> argparse.ArgumentParser:
     )
     _add_question_options(one, positions=False)
 
+    one = command("offset", _commands.offsets, "A grown by a distance, or shrunk by it")
+    _add_operand(one, "a")
+    one.add_argument(
+        "--distance", type=_number, required=True, help="by which A grows; it shrinks below 0"
+    )
+    _add_tolerance(one, "how much more it may grow or shrink in places", required=True)
+    _add_shape_options(one, rounding=False)
+
     one = command("simplify", _commands.simplify, "A with fewer vertices")
     _add_operand(one, "a")
     _add_tolerance(one, "how far the boundary may be from the given one", required=True)
@@ -189,15 +197,17 @@ def _add_shape_options(
     *,
     tolerance: bool = False,
     threads: bool = True,
+    rounding: bool = True,
     formats: Any = None,
 ) -> None:
     """The options of what gives shapes."""
-    to.add_argument(
-        "--rounding",
-        choices=list(ROUNDINGS),
-        default="nearest",
-        help="how exact coordinates become floats; default nearest",
-    )
+    if rounding:
+        to.add_argument(
+            "--rounding",
+            choices=list(ROUNDINGS),
+            default="nearest",
+            help="how exact coordinates become floats; default nearest",
+        )
     if tolerance:
         _add_tolerance(to, "how far the result may be from the exact one; default 0", default=0.0)
     if threads:

@@ -10,6 +10,7 @@ from contextlib import suppress
 from typing import Any, Callable, Literal, Optional, TypeVar, Union
 
 from . import _ffi, _structs
+from ._coordinates import count, number
 
 Rounding = Literal["nearest", "outward"]
 LeaveOut = Union[Literal["holes", "fits"], Iterable[Literal["holes", "fits"]]]
@@ -86,7 +87,9 @@ def run(
 def value_of(rounding: Rounding) -> int:
     """The rounding as the library takes it."""
     if rounding not in _ffi.ROUNDINGS:
-        raise ValueError(f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}")
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT, f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}"
+        )
     return _ffi.ROUNDINGS[rounding]
 
 
@@ -98,7 +101,10 @@ def _bits(leave_out: LeaveOut) -> int:
         parts = {leave_out}  # type: ignore[arg-type]
     for part in parts:
         if part not in _ffi.LEAVE_OUTS:
-            raise ValueError(f"leave_out is {part!r}, none of {', '.join(_ffi.LEAVE_OUTS)}")
+            raise _ffi.InputError(
+                _ffi.INVALID_ARGUMENT,
+                f"leave_out is {part!r}, none of {', '.join(_ffi.LEAVE_OUTS)}",
+            )
     return sum(_ffi.LEAVE_OUTS[part] for part in parts)
 
 
@@ -107,6 +113,7 @@ def _options(
 ) -> Any:
     """The options as the library takes them; None for the defaults."""
     bits = _bits(leave_out)
+    tolerance, threads = number(tolerance, "tolerance"), count(threads, "threads")
     if report is None and (rounding, tolerance, threads, bits) == ("nearest", 0, 1, 0):
         return None
     options = _structs.sized(

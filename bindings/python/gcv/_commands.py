@@ -20,6 +20,7 @@ from ._ffi import Error
 from ._files import read_points
 from ._formats import Result, polygons_and_fits
 from ._named import invalid
+from ._offset import offset
 from ._operands import each, operands, polygons_of, progress_bar
 from ._polygon import Polygon
 from ._region_sums import (
@@ -103,6 +104,17 @@ def simplify(options: Options) -> str:
     given = operands(options, "a")
     found = each(given, lambda polygons, _progress: polygons[0].simplified(**keywords))
     results = [Result(of.numbers, *simplified) for of, simplified in zip(given, found)]
+    _draw(options, results, [of.polygons[0] for of in given])
+    return _formats.FORMATS[options.format](results)
+
+
+def offsets(options: Options) -> str:
+    keywords = _keywords(options, "distance", "tolerance", "threads")
+    given = operands(options, "a")
+    found = each(
+        given, lambda polygons, progress: offset(polygons[0], **keywords, progress=progress)
+    )
+    results = [Result(of.numbers, region, region.error_bound) for of, region in zip(given, found)]
     _draw(options, results, [of.polygons[0] for of in given])
     return _formats.FORMATS[options.format](results)
 

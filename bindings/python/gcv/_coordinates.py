@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import json
+import operator
 import re
 import reprlib
 import struct
@@ -47,7 +48,7 @@ def ring_in_buffer(source: Any) -> Optional[bytes]:
     if view is None:
         return None
     if view.nbytes % _VERTEX_BYTES != 0 or (view.shape or ())[1:] not in ((), (2,)):
-        raise _invalid(f"a buffer of shape {view.shape} does not hold pairs of doubles")
+        raise invalid(f"a buffer of shape {view.shape} does not hold pairs of doubles")
     return view.tobytes()
 
 
@@ -93,7 +94,7 @@ def of_one_part(text: bytes) -> bytes:
         return text
     parts = len(re.findall(rb"\(\s*\(", text[tag.end() :])) if tag[2] else 0
     if parts != 1:
-        raise _invalid(f"a MultiPolygon of {parts} parts is not one polygon")
+        raise invalid(f"a MultiPolygon of {parts} parts is not one polygon")
     bare = bytearray(text.rstrip())
     bare[slice(*tag.span(1))] = b" " * len(tag[1])
     bare[tag.start(2)] = ord(" ")
@@ -128,6 +129,15 @@ def number(value: Any, name: str) -> float:
     """The value as a float, which the argument of that name should be."""
     (as_float,) = numbers((value,), 1, name, value, "a number")
     return as_float
+
+
+def count(value: Any, name: str) -> int:
+    """The value as a number of 32 bits, which the argument of that name should be."""
+    try:
+        (whole,) = array("i", [operator.index(value)])
+    except (TypeError, OverflowError):
+        raise unfit(name, value, "a whole number of 32 bits") from None
+    return whole
 
 
 def pair(value: Any, name: str) -> tuple[float, float]:
@@ -208,7 +218,8 @@ def _short(value: object) -> str:
         return f"an object of type {type(value).__name__}"
 
 
-def _invalid(message: str) -> InputError:
+def invalid(message: str) -> InputError:
+    """The error for a polygon that the message is about."""
     return InputError(INVALID_ARGUMENT, f"polygon: {message}")
 
 
@@ -219,7 +230,7 @@ def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional
     """
     any_masked = getattr(getattr(source, "mask", None), "any", None)
     if any_masked is not None and any_masked():
-        raise _invalid("some elements of the array are masked; leave them out first")
+        raise invalid("some elements of the array are masked; leave them out first")
     try:
         view = memoryview(source)
     except TypeError:
@@ -242,20 +253,20 @@ def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
     if kind == "Polygon":
         return _sequence(coordinates) or [()]
     if kind is None:
-        raise _invalid(f"{_short(geometry)} is not a geometry")
-    raise _invalid(f"a geometry of type {kind!r} is not a polygon")
+        raise invalid(f"{_short(geometry)} is not a geometry")
+    raise invalid(f"a geometry of type {kind!r} is not a polygon")
 
 
 def _only(parts: Any, kind: str) -> Any:
     parts = _sequence(parts)
     if len(parts) != 1:
-        raise _invalid(f"a {kind} of {len(parts)} parts is not one polygon")
+        raise invalid(f"a {kind} of {len(parts)} parts is not one polygon")
     return parts[0]
 
 
 def _sequence(value: Any) -> Sequence[Any]:
     if not isinstance(value, Sequence) or isinstance(value, str):
-        raise _invalid(f"{_short(value)} in a geometry is not a list")
+        raise invalid(f"{_short(value)} in a geometry is not a list")
     return value
 
 

@@ -10,11 +10,13 @@ from typing import Any, Callable, NamedTuple, Optional, Union
 
 from . import _ffi
 from ._call import run
+from ._columns import Origin, column_of, common_origin, origin_of, without_errors
 from ._coordinates import pair, size
 from ._outer_face import OuterFace
 from ._polygon import Polygon, as_polygon
 from ._region import Region
-from ._sources import PolygonLike, iterable
+from ._result_list import ResultList
+from ._sources import PolygonsLike, iterable
 
 _HANDLES = {OuterFace: _ffi.OuterFace, Region: _ffi.Region}
 
@@ -29,18 +31,18 @@ class _Pair(NamedTuple):
 def each(
     function: Callable[..., int],
     kind: Union[type[OuterFace], type[Region]],
-    sources: dict[str, Iterable[PolygonLike]],
+    sources: dict[str, PolygonsLike],
     *,
     references: Optional[Iterable[Iterable[float]]],
     return_errors: bool,
     options: tuple[Any, ...],
-) -> list[Any]:
+) -> ResultList[Any]:
     """What the function gives for each pair: results of that kind, or errors.
 
     sources are the first and the second polygons by the names of the arguments. The
     options are those of run.
     """
-    results, pairs = _read(sources, references, return_errors)
+    results, pairs, origin = _read(sources, references, return_errors)
     count = len(pairs)
     handles, statuses = (c_void_p * count)(), (c_int32 * count)()
     arguments = [handle_array([p.first for p in pairs]), handle_array([p.second for p in pairs])]
@@ -58,21 +60,25 @@ def each(
     for tried, (one, result, status) in enumerate(zip(pairs, owned, statuses)):
         results[one.number] = result
         if status != 0:
-            reason = message.replace(f"pair {tried}:", f"pair {one.number}:", 1)
-            error = _ffi.error(status, reason or f"pair {one.number} alone says why it fails")
+            name = f"pair {one.number}{origin.label(one.number)}"
+            reason = message.replace(f"pair {tried}:", f"{name}:", 1)
+            error = _ffi.error(status, reason or f"{name} alone says why it fails")
             if not return_errors:
                 raise error
             results[one.number] = error
             message = ""
-    return results
+    return ResultList(results, origin, of_regions=kind is Region)
 
 
 def _read(
-    sources: dict[str, Iterable[PolygonLike]],
+    sources: dict[str, PolygonsLike],
     references: Optional[Iterable[Iterable[float]]],
     return_errors: bool,
-) -> tuple[list[Any], list[_Pair]]:
-    """Room for the results with the errors of sources in it, and the pairs without one."""
+) -> tuple[list[Any], list[_Pair], Origin]:
+    """Room for the results with the errors of sources in it, and the pairs without one.
+
+    And what the results keep of columns.
+    """
 
     def read(function: Callable[[Any, str], Any], value: Any, name: str) -> Any:
         try:
@@ -82,18 +88,28 @@ def _read(
                 raise
             return error
 
-    (a, first), (b, second) = (
-        (name, [read(as_polygon, p, f"{name}[{k}]") for k, p in enumerate(iterable(some, name))])
-        for name, some in sources.items()
-    )
+    columns = {name: column_of(some, name) for name, some in sources.items()}
+
+    def polygons(name: str, some: PolygonsLike) -> list[Any]:
+        column = columns[name]
+        if column is None:
+            return [read(as_polygon, p, f"{name}[{k}]") for k, p in enumerate(iterable(some, name))]
+        return column.polygons if return_errors else without_errors(column.polygons)
+
+    (a, first), (b, second) = ((name, polygons(name, some)) for name, some in sources.items())
     if len(first) != len(second):
-        raise ValueError(f"{a} has {len(first)} polygons, {b} has {len(second)}")
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT, f"{a} has {len(first)} polygons, {b} has {len(second)}"
+        )
     points: list[Any] = [(0.0, 0.0)] * len(first)
     if references is not None:
         given = iterable(references, "references", "a sequence of pairs of numbers")
         points = [read(pair, point, f"references[{k}]") for k, point in enumerate(given)]
     if len(points) != len(first):
-        raise ValueError(f"{a} has {len(first)} polygons, references has {len(points)} points")
+        raise _ffi.InputError(
+            _ffi.INVALID_ARGUMENT,
+            f"{a} has {len(first)} polygons, references has {len(points)} points",
+        )
     results: list[Any] = [None] * len(first)
     pairs = []
     for k, found in enumerate(zip(first, second, points)):
@@ -102,7 +118,8 @@ def _read(
             results[k] = errors[0]
         else:
             pairs.append(_Pair(k, *found))
-    return results, pairs
+    origins = {name: origin_of(some, columns[name]) for name, some in sources.items()}
+    return results, pairs, common_origin(origins)
 
 
 def vertex_pairs(a: Polygon, b: Polygon) -> int:

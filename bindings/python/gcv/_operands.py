@@ -85,7 +85,10 @@ def each(sets: list[Operands], work: Work) -> list[Any]:
 
 @contextlib.contextmanager
 def progress_bar() -> Iterator[Optional[Progress]]:
-    """A bar on a terminal, once work has taken a second, where tqdm is installed."""
+    """A bar on a terminal, once work has taken a second, where tqdm is installed.
+
+    Where there is more to do than was thought, it counts the steps: nobody knows the end.
+    """
     try:
         tqdm = importlib.import_module("tqdm").tqdm
     except ImportError:
@@ -95,7 +98,7 @@ def progress_bar() -> Iterator[Optional[Progress]]:
     with tqdm(disable=None, delay=1, unit=" steps", unit_scale=True, leave=False) as bar:
 
         def progress(done: int, estimate: int) -> None:
-            bar.total = estimate
+            bar.total = estimate if done < estimate else None
             bar.update(done - bar.n)
 
         yield progress

@@ -16,14 +16,16 @@ from typing import TYPE_CHECKING, Any, Callable, Literal, NamedTuple, Optional, 
 from . import _ffi, _structs
 from ._affine import moved, six_numbers
 from ._call import Rounding, value_of
-from ._coordinates import Rings, number, pair, points, rings_of_many, size, split
-from ._handles import created, created_many, mapped, normalised_rings
+from ._coordinates import Rings, number, pair, points, size, split
+from ._handles import created, mapped, normalised_rings
 from ._shape import Shape, array_of
-from ._sources import PolygonLike, iterable, read, read_holes
+from ._sources import PolygonLike, PolygonsLike, read, read_holes
 
 if TYPE_CHECKING:
     import numpy
     import numpy.typing
+
+    from ._result_list import ResultList
 
 
 class Simplified(NamedTuple):
@@ -110,22 +112,22 @@ class Polygon(Shape):
     @overload
     @classmethod
     def many(
-        cls, sources: Iterable[PolygonLike], *, return_errors: Literal[False] = ...
-    ) -> list[Polygon]: ...
+        cls, sources: PolygonsLike, *, return_errors: Literal[False] = ...
+    ) -> ResultList[Polygon]: ...
 
     @overload
     @classmethod
     def many(
-        cls, sources: Iterable[PolygonLike], *, return_errors: bool
-    ) -> list[Union[Polygon, _ffi.Error]]: ...
+        cls, sources: PolygonsLike, *, return_errors: bool
+    ) -> ResultList[Union[Polygon, _ffi.Error]]: ...
 
     @classmethod
     def many(cls, sources: Any, *, return_errors: bool = False) -> Any:
         """Many polygons in one call of the library, such as blocks that turn in every step.
 
-        sources: an array of shape (n, k, 2), for n polygons of k vertices, or anything
-        with a source in each place. Those with holes and those of text are made one by
-        one.
+        sources: an array of shape (n, k, 2), for n polygons of k vertices; a GeoSeries or
+        an Arrow array, as in minkowski_sum_many; or anything with a source in each place.
+        Those with holes and those of text are made one by one.
 
         A source that is no polygon leaves the others as they are. With return_errors its
         Error takes the place of the polygon; otherwise the first such Error is raised.
@@ -133,7 +135,10 @@ class Polygon(Shape):
 
         Takes version 0.2 of the library. Raises as Polygon does.
         """
-        return _many(sources, return_errors)
+        # Here, for lists of results are made of polygons.
+        from ._many_polygons import many_polygons
+
+        return many_polygons(sources, return_errors)
 
     @classmethod
     def disc(
@@ -149,7 +154,7 @@ class Polygon(Shape):
         Every point of its boundary is within the tolerance of the circle, and every
         point of the circle within the tolerance of its boundary; that is certified by
         exact arithmetic. With rounding="outward" the polygon contains the disc. It has
-        about 2.2 sqrt(radius / tolerance) vertices, or 3.2 with "outward", up to twice
+        about 1.6 sqrt(radius / tolerance) vertices, or 2.2 with "outward", up to twice
         as many.
 
         centre is (x, y); radius and tolerance are in input units. The tolerance must
@@ -245,8 +250,9 @@ class Polygon(Shape):
         Raises InputError for a tolerance that is negative or not finite.
         """
         handle, bound = _ffi.Polygon(), c_double()
+        limit = number(tolerance, "tolerance")
         _ffi.polygon_simplified(
-            self._handle, tolerance, value_of(rounding), byref(handle), byref(bound)
+            self._handle, limit, value_of(rounding), byref(handle), byref(bound)
         )
         return Simplified(self._of(normalised_rings(handle, self.ring_count)), bound.value)
 
@@ -324,40 +330,6 @@ def as_polygon(source: PolygonLike, name: str) -> Polygon:
         return Polygon(source)
     except _ffi.Error as error:
         raise _ffi.named(error, name) from None
-
-
-def _many(sources: Any, return_errors: bool) -> list[Union[Polygon, _ffi.Error]]:
-    made: list[Union[bytes, Polygon, _ffi.Error]] = list(rings_of_many(sources) or ())
-    if not made:
-        made += [
-            _ring_or_polygon(source, k) for k, source in enumerate(iterable(sources, "sources"))
-        ]
-    single = [(k, ring) for k, ring in enumerate(made) if isinstance(ring, bytes)]
-    handles = created_many([ring for _, ring in single])
-    results: list[Any] = made
-    for (k, ring), handle in zip(single, handles):
-        try:
-            # Where there is no handle, this says why.
-            results[k] = Polygon._of([ring], handle)
-        except _ffi.Error as error:
-            results[k] = _ffi.named(error, f"polygon {k}")
-    for result in results:
-        if isinstance(result, _ffi.Error) and not return_errors:
-            raise result
-    return results
-
-
-def _ring_or_polygon(source: Any, index: int) -> Union[bytes, Polygon, _ffi.Error]:
-    """The one ring of a source, the polygon where it is one or has holes, or its error."""
-    if isinstance(source, Polygon):
-        return source
-    try:
-        rings, handle = read(source)
-        if handle is None and len(rings) == 1:
-            return rings[0]
-        return Polygon._of(rings, handle)
-    except _ffi.Error as error:
-        return _ffi.named(error, f"polygon {index}")
 
 
 def _polygon_of(

@@ -13,7 +13,8 @@ from ._coordinates import pair
 from ._many import each, vertex_pairs
 from ._polygon import Polygon, as_polygon
 from ._region import Region
-from ._sources import PolygonLike
+from ._result_list import ResultList
+from ._sources import PolygonLike, PolygonsLike
 
 
 def minkowski_sum_region(
@@ -144,8 +145,8 @@ def inner_fit_region(
 
 @overload
 def minkowski_sum_region_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
@@ -153,13 +154,13 @@ def minkowski_sum_region_many(
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
     return_errors: Literal[False] = ...,
-) -> list[Region]: ...
+) -> ResultList[Region]: ...
 
 
 @overload
 def minkowski_sum_region_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
@@ -167,12 +168,12 @@ def minkowski_sum_region_many(
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
     return_errors: bool,
-) -> list[Union[Region, _ffi.Error]]: ...
+) -> ResultList[Union[Region, _ffi.Error]]: ...
 
 
 def minkowski_sum_region_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = "nearest",
     tolerance: float = 0.0,
@@ -196,8 +197,8 @@ def minkowski_sum_region_many(
 
 @overload
 def no_fit_region_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -206,13 +207,13 @@ def no_fit_region_many(
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
     return_errors: Literal[False] = ...,
-) -> list[Region]: ...
+) -> ResultList[Region]: ...
 
 
 @overload
 def no_fit_region_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -221,12 +222,12 @@ def no_fit_region_many(
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
     return_errors: bool,
-) -> list[Union[Region, _ffi.Error]]: ...
+) -> ResultList[Union[Region, _ffi.Error]]: ...
 
 
 def no_fit_region_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = None,
     *,
     rounding: Rounding = "nearest",

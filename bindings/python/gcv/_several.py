@@ -8,6 +8,7 @@ from collections.abc import Collection, Iterable, Mapping, Sized
 from pathlib import Path
 from typing import Any, Union
 
+from ._columns import column_of, without_errors
 from ._polygon import Polygon, as_polygon
 from ._shape import Shape
 from ._sources import PolygonLike, iterable
@@ -20,8 +21,11 @@ def polygons_of(source: Any, name: str) -> tuple[list[Polygon], bool]:
     """The polygons of a source, and whether it is one polygon.
 
     Messages call them by that name. A sequence is one polygon where its first element is a
-    vertex: a pair of numbers.
+    vertex: a pair of numbers. A GeoSeries or an Arrow array is a sequence.
     """
+    column = column_of(source, name)
+    if column is not None:
+        return without_errors(column.polygons), False
     if _is_one(source):
         return [as_polygon(source, name)], True
     sources = tuple(iterable(source, name, "a polygon, nor a sequence of polygons"))

@@ -56,6 +56,22 @@ PolygonLike = Union[
 """All that Polygon can be made from."""
 
 
+class SupportsArrowArray(Protocol):
+    """An array of Arrow, by the PyCapsule interface."""
+
+    def __arrow_c_array__(self, requested_schema: Any = None) -> tuple[Any, Any]: ...
+
+
+class SupportsArrowStream(Protocol):
+    """A stream of arrays of Arrow, by the PyCapsule interface."""
+
+    def __arrow_c_stream__(self, requested_schema: Any = None) -> Any: ...
+
+
+PolygonsLike = Union[Iterable[PolygonLike], SupportsArrowArray, SupportsArrowStream]
+"""All that many polygons can be made from; what GeoPandas has is an iterable."""
+
+
 def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
     """The rings of a source, and the handle of its polygon where it was made on the way."""
     if isinstance(source, Shape):

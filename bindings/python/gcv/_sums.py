@@ -15,7 +15,8 @@ from ._facts import EdgeSource
 from ._many import each, vertex_pairs
 from ._outer_face import OuterFace
 from ._polygon import as_polygon
-from ._sources import PolygonLike
+from ._result_list import ResultList
+from ._sources import PolygonLike, PolygonsLike
 
 
 class SupersetEdge(NamedTuple):
@@ -146,33 +147,33 @@ def entrance_block(
 
 @overload
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
-) -> list[OuterFace]: ...
+) -> ResultList[OuterFace]: ...
 
 
 @overload
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = ...,
     tolerance: float = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
-) -> list[Union[OuterFace, _ffi.Error]]: ...
+) -> ResultList[Union[OuterFace, _ffi.Error]]: ...
 
 
 def minkowski_sum_many(
-    a: Iterable[PolygonLike],
-    b: Iterable[PolygonLike],
+    a: PolygonsLike,
+    b: PolygonsLike,
     *,
     rounding: Rounding = "nearest",
     tolerance: float = 0.0,
@@ -181,6 +182,11 @@ def minkowski_sum_many(
     return_errors: bool = False,
 ) -> Any:
     """Many sums in one call: the k-th outer face is that of a[k] + b[k].
+
+    a, b: sequences of whatever Polygon can be made from; or columns, as GeoPandas has them
+    (a GeoSeries, a GeoDataFrame, a GeometryArray), or Arrow arrays of geoarrow.polygon,
+    geoarrow.multipolygon, geoarrow.wkb or geoarrow.wkt, which take pyarrow. Pairs are made
+    by position. The result is a list that is such a column too, see ResultList.
 
     Each is what minkowski_sum gives, whose options these are; the pairs are shared out
     over the threads. A polygon that occurs more than once is best made a Polygon first,
@@ -192,8 +198,8 @@ def minkowski_sum_many(
     any other. The text of an Error for a source names it, as in "a[2]"; the text of the
     first other one names the pair and the reason.
 
-    Raises as Polygon does, InputError for an option, and ValueError where a and b are
-    not equally many.
+    Raises as Polygon does, and InputError for an option, where a and b are not equally
+    many, and for columns whose indexes or reference systems differ.
     """
     return each(
         *(_ffi.minkowski_sum_many, OuterFace, {"a": a, "b": b}),
@@ -205,8 +211,8 @@ def minkowski_sum_many(
 
 @overload
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -214,13 +220,13 @@ def no_fit_polygon_many(
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
-) -> list[OuterFace]: ...
+) -> ResultList[OuterFace]: ...
 
 
 @overload
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = ...,
     *,
     rounding: Rounding = ...,
@@ -228,12 +234,12 @@ def no_fit_polygon_many(
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
-) -> list[Union[OuterFace, _ffi.Error]]: ...
+) -> ResultList[Union[OuterFace, _ffi.Error]]: ...
 
 
 def no_fit_polygon_many(
-    fixed: Iterable[PolygonLike],
-    moving: Iterable[PolygonLike],
+    fixed: PolygonsLike,
+    moving: PolygonsLike,
     references: Optional[Iterable[Iterable[float]]] = None,
     *,
     rounding: Rounding = "nearest",

@@ -192,6 +192,21 @@ def test_several_polygons(folder: Path) -> None:
     ]
 
 
+def test_offset(folder: Path) -> None:
+    for distance in (0.5, -0.25):
+        region = gcv.offset(NOTCHED, distance, 0.01)
+        command = f"offset a.wkt --distance {distance} --tolerance 0.01"
+        assert output(folder, command) == f"{region.wkt}\n{region.fits_wkt}\n"
+    assert (
+        output(folder, "offset two.wkt --distance 1 --tolerance 1 --svg out.svg").count("\n") == 4
+    )
+    assert (folder / "out.svg").read_text().startswith("<svg")
+    run = run_program(folder, *["offset", "two.wkt", "--distance", "0", "--tolerance", "1"])
+    assert failure(run, 1).startswith("gcv: two.wkt: polygon 0: distance: 0.0 is not")
+    run = run_program(folder, *["offset", "a.wkt", "--distance", "1"])
+    assert "--tolerance" in failure(run, 2)
+
+
 def test_simplify(folder: Path) -> None:
     near = gcv.Polygon(NOTCHED).simplified(6, rounding="outward")
     command = "simplify a.wkt --tolerance 6 --rounding outward"

@@ -35,7 +35,8 @@ def test_many(threads: int) -> None:
 def test_many_without_references() -> None:
     assert gcv.no_fit_region_many([ROOMS], [SQUARE]) == [gcv.no_fit_region(ROOMS, SQUARE)]
     assert gcv.no_fit_polygon_many([ROOMS], [SQUARE]) == [gcv.no_fit_polygon(ROOMS, SQUARE)]
-    assert gcv.no_fit_region_many([], []) == gcv.no_fit_polygon_many([], [], []) == []
+    assert gcv.no_fit_region_many([], []) == []
+    assert gcv.no_fit_polygon_many([], [], []) == []
     assert gcv.minkowski_sum_region_many([], []) == []
 
 

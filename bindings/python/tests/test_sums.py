@@ -330,3 +330,26 @@ def test_many_refused() -> None:
         gcv.minkowski_sum_many([SQUARE, SQUARE], [SQUARE])
     with pytest.raises(gcv.InputError):
         gcv.minkowski_sum_many([SQUARE], [BOW_TIE])
+
+
+@pytest.mark.parametrize(
+    "options, message",
+    [
+        ({"tolerance": "a"}, "tolerance: 'a' is not a number"),
+        ({"tolerance": None}, "tolerance: None is not a number"),
+        ({"tolerance": 10**400}, "tolerance: 1000+.* is not a number that a finite float"),
+        ({"threads": 1.5}, "threads: 1.5 is not a whole number of 32 bits"),
+        ({"threads": 2**32}, "threads: 4294967296 is not a whole number of 32 bits"),
+        ({"rounding": "up"}, "rounding is 'up', none of"),
+    ],
+)
+def test_options_of_other_types(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
+        gcv.minkowski_sum(SQUARE, SQUARE, **options)
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
+        gcv.no_fit_region_many([SQUARE], [SQUARE], **options)
+
+
+def test_simplified_within_no_number() -> None:
+    with pytest.raises(gcv.InputError, match=r"^tolerance: 'a' is not a number$"):
+        gcv.Polygon(SQUARE).simplified("a")  # type: ignore[arg-type]

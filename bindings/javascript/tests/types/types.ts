@@ -26,7 +26,8 @@ const region: gcv.Region = new gcv.Scene(polygon).freeRegion(pairs, null, { leav
 const place: gcv.Location = region.locate([0, 0]);
 const places: Int8Array = region.locate(pairs);
 const best: gcv.Point | null = new gcv.Scene(polygon).best(pairs, [-1, 0], { ignore: [2, 3] });
-export { best, faces, many, one, place, places, results };
+const grown: gcv.Region = gcv.offset(polygon, 1, 0.1, { progress: () => false });
+export { best, faces, grown, many, one, place, places, results };
 
 // @ts-expect-error: only the library makes outer faces.
 new gcv.OuterFace();

@@ -1,16 +1,15 @@
 // Copyright (C) 2026 The libgcv authors
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
-use std::fmt;
 use std::hash::{Hash, Hasher};
-use std::ops::Neg;
-use std::str::FromStr;
 
 use gcv_sys as sys;
 
 use crate::call::{create, create_many, elements, value, INFALLIBLE};
 use crate::handle::Handle;
 use crate::{Error, Point, Rounding};
+
+mod traits;
 
 /// A polygon: an outer ring, and rings of holes.
 ///
@@ -316,79 +315,5 @@ pub(crate) fn hash_ring<H: Hasher>(ring: &[[f64; 2]], state: &mut H) {
     ring.len().hash(state);
     for coordinate in ring.iter().flatten() {
         coordinate.to_bits().hash(state);
-    }
-}
-
-impl fmt::Debug for Polygon {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        formatter
-            .debug_struct("Polygon")
-            .field("ring_count", &self.ring_count())
-            .field("rings", &self.rings().collect::<Vec<_>>())
-            .finish()
-    }
-}
-
-impl fmt::Display for Polygon {
-    fn fmt(&self, formatter: &mut fmt::Formatter) -> fmt::Result {
-        // With the fewest digits that read back as the same number.
-        let number = |number: f64| {
-            let digits = format!("{number:?}");
-            digits
-                .strip_suffix(".0")
-                .map(str::to_owned)
-                .unwrap_or(digits)
-        };
-        let vertex = |[x, y]: [f64; 2]| number(x) + " " + &number(y);
-        let ring = |mut ring: Vec<[f64; 2]>| {
-            ring.push(ring[0]);
-            let vertices: Vec<_> = ring.into_iter().map(vertex).collect();
-            format!("({})", vertices.join(", "))
-        };
-        let rings: Vec<_> = self.rings().map(ring).collect();
-        write!(formatter, "POLYGON ({})", rings.join(", "))
-    }
-}
-
-impl FromStr for Polygon {
-    type Err = Error;
-
-    fn from_str(wkt: &str) -> Result<Self, Error> {
-        Self::from_wkt(wkt)
-    }
-}
-
-impl PartialEq for Polygon {
-    fn eq(&self, other: &Self) -> bool {
-        self.as_ptr() == other.as_ptr() || self.rings().eq(other.rings())
-    }
-}
-
-impl Eq for Polygon {}
-
-impl Hash for Polygon {
-    fn hash<H: Hasher>(&self, state: &mut H) {
-        self.ring_count().hash(state);
-        for ring in self.rings() {
-            hash_ring(&ring, state);
-        }
-    }
-}
-
-/// Reflected in the origin, exactly; panics without memory.
-impl Neg for &Polygon {
-    type Output = Polygon;
-
-    fn neg(self) -> Polygon {
-        self.affine([-1., 0., 0., 0., -1., 0.]).expect(INFALLIBLE)
-    }
-}
-
-/// Reflected in the origin, exactly; panics without memory.
-impl Neg for Polygon {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        -&self
     }
 }

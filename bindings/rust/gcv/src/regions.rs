@@ -7,7 +7,7 @@ use gcv_sys as sys;
 
 use crate::call::create;
 use crate::sums::{many, pointers, WithReferences};
-use crate::{Error, Options, Polygon, Region};
+use crate::{Error, Options, Point, Polygon, Region};
 
 /// The Minkowski sum A + B with all of its holes, and the exact fits in it.
 ///
@@ -41,9 +41,10 @@ pub fn minkowski_sum_region(a: &Polygon, b: &Polygon, options: &Options) -> Resu
 pub fn no_fit_region(
     fixed: &Polygon,
     moving: &Polygon,
-    reference: [f64; 2],
+    reference: impl Point,
     options: &Options,
 ) -> Result<Region, Error> {
+    let reference = reference.xy();
     let (fixed, moving, point) = (fixed.as_ptr(), moving.as_ptr(), reference.as_ptr());
     // SAFETY: the polygons and the point are alive, the options are for the call.
     region(options, |options, out| unsafe {
@@ -61,9 +62,10 @@ pub fn no_fit_region(
 pub fn entrance_region(
     a: &Polygon,
     b: &Polygon,
-    a0: [f64; 2],
+    a0: impl Point,
     options: &Options,
 ) -> Result<Region, Error> {
+    let a0 = a0.xy();
     let (a, b, point) = (a.as_ptr(), b.as_ptr(), a0.as_ptr());
     // SAFETY: the polygons and the point are alive, the options are for the call.
     region(options, |options, out| unsafe {
@@ -98,9 +100,10 @@ pub fn entrance_region(
 pub fn inner_fit_region(
     container: &Polygon,
     moving: &Polygon,
-    reference: [f64; 2],
+    reference: impl Point,
     options: &Options,
 ) -> Result<Region, Error> {
+    let reference = reference.xy();
     let (container, moving, point) = (container.as_ptr(), moving.as_ptr(), reference.as_ptr());
     // SAFETY: the polygons and the point are alive, the options are for the call.
     region(options, |options, out| unsafe {

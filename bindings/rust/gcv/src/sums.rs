@@ -7,7 +7,7 @@ use gcv_sys as sys;
 
 use crate::call::{create, create_many, elements};
 use crate::handle::{Handle, Made};
-use crate::{EdgeSource, Error, Options, OuterFace, Polygon};
+use crate::{EdgeSource, Error, Options, OuterFace, Point, Polygon};
 
 /// The outer face of the Minkowski sum A + B.
 ///
@@ -42,9 +42,10 @@ pub fn minkowski_sum(a: &Polygon, b: &Polygon, options: &Options) -> Result<Oute
 pub fn no_fit_polygon(
     fixed: &Polygon,
     moving: &Polygon,
-    reference: [f64; 2],
+    reference: impl Point,
     options: &Options,
 ) -> Result<OuterFace, Error> {
+    let reference = reference.xy();
     let (fixed, moving, point) = (fixed.as_ptr(), moving.as_ptr(), reference.as_ptr());
     // SAFETY: the polygons and the point are alive, the options are for the call.
     outer_face(options, |options, out| unsafe {
@@ -63,9 +64,10 @@ pub fn no_fit_polygon(
 pub fn entrance_block(
     a: &Polygon,
     b: &Polygon,
-    a0: [f64; 2],
+    a0: impl Point,
     options: &Options,
 ) -> Result<OuterFace, Error> {
+    let a0 = a0.xy();
     let (a, b, point) = (a.as_ptr(), b.as_ptr(), a0.as_ptr());
     // SAFETY: the polygons and the point are alive, the options are for the call.
     outer_face(options, |options, out| unsafe {

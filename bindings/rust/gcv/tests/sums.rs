@@ -248,3 +248,22 @@ fn threads() {
 fn version() {
     assert_eq!(gcv::library_version(), env!("CARGO_PKG_VERSION"));
 }
+
+#[test]
+fn sums_by_plus_and_references_of_all_kinds() {
+    let square = Polygon::new(&[(0., 0.), (1., 0.), (1., 1.), (0., 1.)]).unwrap();
+    let sum = (&square + &square).unwrap();
+    assert_eq!(
+        sum,
+        minkowski_sum(&square, &square, &Options::new()).unwrap()
+    );
+    let huge = Polygon::new(&[(0., 0.), (1e308, 0.), (0., 1e308)]).unwrap();
+    assert_eq!((&huge + &huge).unwrap_err().status, GCV_ERR_RANGE);
+
+    let options = Options::new();
+    let by_pair = no_fit_polygon(&square, &square, (1., 2.), &options);
+    assert_eq!(
+        by_pair,
+        no_fit_polygon(&square, &square, [1., 2.], &options)
+    );
+}
