@@ -19,7 +19,7 @@ from typing import Callable
 from pages import Block
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-FLAGS = {"c": ["cc", "-std=c99"], "cpp": ["c++", "-std=c++11"]}
+FLAGS = {"c": ["cc", "-std=c99"], "cpp": ["c++", "-std=c++17"]}
 CARGO = """[package]
 name = "page"
 version = "0.0.0"

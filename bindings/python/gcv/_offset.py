@@ -43,9 +43,9 @@ def offset(
     error_bound certifies.
 
     polygon: a polygon, or whatever Polygon can be made from, with its holes. distance and
-    tolerance are in input units. The disc has about 2.4 sqrt(|distance| / tolerance)
-    vertices, up to twice as many. threads and progress are those of minkowski_sum; in the
-    sources, a is a number of the polygon and b one of the disc.
+    tolerance are in input units. For a distance of r or -r the disc has about
+    2.4 sqrt(r / tolerance) vertices, up to twice as many. threads and progress are those of
+    minkowski_sum; in the sources, a is a number of the polygon and b one of the disc.
 
     Raises as Polygon does; InputError for a distance that is 0 or not finite, and for a
     tolerance that is not above 0 or too small for floats; Error where coordinates are
