@@ -133,8 +133,8 @@ struct FreeQuestions {
 
   static long double length(const Point& a) { return std::sqrt(dot(a, a)); }
 
-  // What rounding moves the vertices of a region by, and what rounding of depths and this test's own
-  // arithmetic do.
+  // What rounding moves the vertices of a region by, and what rounding of depths and this test's
+  // own arithmetic do.
   static long double slack(const gcv_region* region, const std::array<Point, 2>& points) {
     double bound = 0;
     succeeds("gcv_region_error_bound", gcv_region_error_bound(region, &bound));
