@@ -8,14 +8,18 @@
 
 namespace gcv {
 
-void Task::begin(std::uint64_t estimate) {
+void Task::begin(std::uint64_t estimate, std::uint64_t parts) {
   estimate_ = estimate;
+  parts_ = parts;
   tell(estimate_);
   check();
 }
 
-void Task::advance(std::uint64_t steps) {
+void Task::advance(std::uint64_t steps, std::uint64_t parts) {
   done_ += steps;
+  if (parts > 0) {
+    parts_done_ += parts;
+  }
   if (std::this_thread::get_id() == caller_) {
     watch();
   }
@@ -24,8 +28,21 @@ void Task::advance(std::uint64_t steps) {
 
 void Task::watch() {
   if (done_ - reported_ >= steps_a_report_) {
-    tell(estimate_);
+    tell(estimate());
   }
+}
+
+// Few parts say little. Until the last report the end is not reached.
+std::uint64_t Task::estimate() const {
+  const std::uint64_t done = done_;
+  const std::uint64_t parts = parts_done_;
+  std::uint64_t estimate = estimate_;
+  if (parts_ > 0 && parts > parts_ / 32) {
+    estimate = static_cast<std::uint64_t>(static_cast<double>(done) * static_cast<double>(parts_) /
+                                          static_cast<double>(parts));
+  }
+  const bool is_left = parts_ > 0 ? done < estimate : done <= estimate;
+  return is_left ? estimate : done + done / 16 + 1;
 }
 
 void Task::finish() {

@@ -28,21 +28,24 @@ class Task {
 
   [[nodiscard]] unsigned threads() const { return threads_; }
 
-  // Counts steps. Any thread may call it. Throws Error: cancelled, on every thread once the caller
-  // has cancelled.
-  void advance(std::uint64_t steps);
+  // Counts steps, and parts of the work that these have done. Any thread may call it. Throws Error:
+  // cancelled, on every thread once the caller has cancelled.
+  void advance(std::uint64_t steps, std::uint64_t parts = 0);
 
   // Reports the steps of other threads. The calling thread calls it while it waits for them.
   void watch();
 
   // Makes the first report, with an estimate of the number of all steps. Throws Error: cancelled.
-  void begin(std::uint64_t estimate);
+  // Where the work has parts of about the same size, the later reports estimate from those that are
+  // done.
+  void begin(std::uint64_t estimate, std::uint64_t parts = 0);
 
   // Makes the last report. Throws Error: cancelled.
   void finish();
 
  private:
   void tell(std::uint64_t estimate);
+  [[nodiscard]] std::uint64_t estimate() const;
   void check() const;
 
   unsigned threads_ = 1;
@@ -50,9 +53,11 @@ class Task {
   void* context_ = nullptr;
   std::uint64_t steps_a_report_ = portion;
   std::uint64_t estimate_ = 0;
+  std::uint64_t parts_ = 0;
   std::uint64_t reported_ = 0;
   std::thread::id caller_ = std::this_thread::get_id();
   std::atomic<std::uint64_t> done_{0};
+  std::atomic<std::uint64_t> parts_done_{0};
   std::atomic<bool> cancelled_{false};
 };
 

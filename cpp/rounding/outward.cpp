@@ -82,8 +82,8 @@ double lost_distance(const Grown& grown, double unit) {
 }  // namespace
 
 RoundedRing round_outward(const ExactRing& ring, const OuterFaceOf& outer_face_of, Task& task,
-                          Tally& tally) {
-  RoundedRing nearest = round_to_nearest(ring, task, tally);
+                          Tally& tally, std::uint64_t parts) {
+  RoundedRing nearest = round_to_nearest(ring, task, tally, parts);
   if (nearest.error_bound == 0) {
     return nearest;
   }

@@ -17,8 +17,8 @@ using OuterFaceOf = std::function<std::vector<RingVertex>(const Boundary& a, con
 
 // A simple ring of doubles around the exact ring. It is a few units in the last place of the
 // largest coordinate away. Thinner slits close. What lies behind them is then inside, and counts in
-// the error bound. Throws as place_nearest.
+// the error bound. Its first rounding is so many parts of the task. Throws as place_nearest.
 RoundedRing round_outward(const ExactRing& ring, const OuterFaceOf& outer_face_of, Task& task,
-                          Tally& tally);
+                          Tally& tally, std::uint64_t parts = 0);
 
 }  // namespace gcv

@@ -161,7 +161,7 @@ PointVector ring_through(PointVector places) {
   return places;
 }
 
-Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
+Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally, std::uint64_t parts) {
   struct Portion {
     double error_bound = 0;
     Point sizes{denormal, denormal};  // from which on errors are larger than `error_bound`
@@ -210,7 +210,7 @@ Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally) {
       placement.places[k] = {vertex.x.value, vertex.y.value};
       portion.add(vertex);
     }
-    task.advance(last - first);
+    task.advance(last - first, parts * last / ring.size() - parts * first / ring.size());
   };
   for_each_in_parallel(portions.size(), task.threads(), place_portion, [&] { task.watch(); });
   for (const Portion& portion : portions) {
@@ -246,8 +246,8 @@ bool make_simple(const ExactRing& ring, Placement& placement, Task& task, Tally&
 
 // If vertices move by at most d, each point of the ring moves by at most d. So both rings are
 // within the largest error of a vertex of each other.
-RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally) {
-  Placement placement = place_nearest(ring, task, tally);
+RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally, std::uint64_t parts) {
+  Placement placement = place_nearest(ring, task, tally, parts);
   if (make_simple(ring, placement, task, tally)) {
     return {ring_through(std::move(placement.places)), placement.error_bound, placement.repaired};
   }

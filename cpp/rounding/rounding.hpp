@@ -23,9 +23,9 @@ struct Placement {
 RoundedVertex rounded_vertex(const Boundary& a, const Boundary& b, const RingVertex& vertex,
                              const Point& shift, Tally& tally);
 
-// Rounds each coordinate to the nearest double, ties to even. Throws Error: range, if one is not
-// finite.
-Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally);
+// Rounds each coordinate to the nearest double, ties to even. That is so many parts of the task.
+// Throws Error: range, if one is not finite.
+Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally, std::uint64_t parts = 0);
 
 // Makes the ring through the nearest doubles simple, if it is not. Moves vertices that are in the
 // way apart (see repair.hpp). Returns false and changes nothing if that does not make it simple.
@@ -44,7 +44,8 @@ struct RoundedRing {
 // the result is the outer face of the nearest ring, and what that cuts off is left out (see
 // snap_rounding.hpp). Throws Error: range, if a coordinate is not finite or nothing with an area is
 // left.
-RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally);
+RoundedRing round_to_nearest(const ExactRing& ring, Task& task, Tally& tally,
+                             std::uint64_t parts = 0);
 
 // The ring through the points, without repetitions, from the lexicographically smallest one.
 PointVector ring_through(PointVector places);

@@ -23,6 +23,10 @@ struct OuterFaces {
   static std::uint64_t steps(const Boundary& a, const Boundary& b, const Options& /*options*/) {
     return estimated_steps(a, b);
   }
+  static std::uint64_t parts(const Boundary& a, const Boundary& b) { return parts_of_sum(a, b); }
+  static std::uint64_t parts(const Operand& a, const Operand& b) {
+    return parts_of_sum(*a.ring, *b.ring);
+  }
   static Operand simplified(const std::shared_ptr<const Boundary>& ring, const Options& options) {
     const Simplified near = simplified_for_sum(ring, options);
     return {near.ring, "", near.error_bound};
@@ -40,6 +44,10 @@ struct Regions {
 
   static std::uint64_t steps(const Polygon& a, const Polygon& b, const Options& options) {
     return estimated_steps(a, b, options);
+  }
+  template <class Any>
+  static std::uint64_t parts(const Any& /*a*/, const Any& /*b*/) {
+    return 0;
   }
   static RegionOperand simplified(const std::shared_ptr<const Polygon>& polygon,
                                   const Options& options) {
@@ -71,7 +79,8 @@ class Batch {
   }
 
   BatchReport run() {
-    task_.begin(estimate());
+    const Work work = estimate();
+    task_.begin(work.steps, work.parts);
     simplify_all();
     for_each_in_parallel(
         pairs_.size(), threads_, [&](std::size_t k) { add(k); }, [&] { task_.watch(); });
@@ -89,14 +98,20 @@ class Batch {
     std::exception_ptr failure;
   };
 
-  [[nodiscard]] std::uint64_t estimate() const {
+  // See Task::begin.
+  struct Work {
     std::uint64_t steps = 0;
+    std::uint64_t parts = 0;
+  };
+  [[nodiscard]] Work estimate() const {
+    Work work;
     for (const auto& [a, b, shift] : pairs_) {
       if (a != nullptr && b != nullptr) {
-        steps += Kind::steps(*a, *b, options_);
+        work.steps += Kind::steps(*a, *b, options_);
+        work.parts += Kind::parts(*a, *b);
       }
     }
-    return steps;
+    return work;
   }
 
   // Each polygon once, however many pairs it is in.
@@ -142,6 +157,7 @@ class Batch {
       const Operand a = operand(pairs_[k].a, names_.a);
       const Operand b = operand(pairs_[k].b, names_.b);
       const Point shift = finite_point(pairs_[k].shift, names_.shift);
+      task_.advance(0, Kind::parts(*pairs_[k].a, *pairs_[k].b) - Kind::parts(a, b));
       take_(k, Kind::sum(a, b, shift, options_, task_));
     } catch (...) {
       const Error error = current_error();

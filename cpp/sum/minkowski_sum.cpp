@@ -61,6 +61,10 @@ std::uint64_t estimated_steps(const Boundary& a, const Boundary& b) {
   return 2 * (std::uint64_t{a.size()} + b.size());
 }
 
+std::uint64_t parts_of_sum(const Boundary& a, const Boundary& b) {
+  return a.is_convex && b.is_convex ? 0 : estimated_steps(a, b);
+}
+
 Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
                               const SumOptions& options) {
   return simplify(polygon, options.tolerance / 2, options.rounding,
@@ -83,9 +87,10 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   const auto outer_face_of = [&](const Boundary& p, const Boundary& q) {
     return walk_outer_face(p, q, task, tally).vertices;
   };
-  face.rounded = rounding == Rounding::nearest
-                     ? round_to_nearest(face.exact, task, tally)
-                     : round_outward(face.exact, outer_face_of, task, tally);
+  face.rounded =
+      rounding == Rounding::nearest
+          ? round_to_nearest(face.exact, task, tally, parts_of_sum(pa, pb) / 2)
+          : round_outward(face.exact, outer_face_of, task, tally, parts_of_sum(pa, pb) / 2);
   face.rounded.error_bound =
       sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
   return face;
@@ -93,11 +98,13 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
 
 OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
                         const SumOptions& options, Task& task) {
-  task.begin(estimated_steps(*a.ring, *b.ring));
+  const std::uint64_t parts = parts_of_sum(*a.ring, *b.ring);
+  task.begin(estimated_steps(*a.ring, *b.ring), parts);
   const Operand near_a = simplified_operand(a, options);
   task.advance(0);
   const Operand near_b = a.ring == b.ring ? Operand{near_a.ring, b.name, near_a.error_bound}
                                           : simplified_operand(b, options);
+  task.advance(0, parts - parts_of_sum(*near_a.ring, *near_b.ring));
   OuterFace face = minkowski_sum(near_a, near_b, shift, options.rounding, task);
   task.finish();
   return face;

@@ -38,6 +38,10 @@ struct OuterFace {
 // A guess of the steps of a sum: edges walked and vertices rounded.
 std::uint64_t estimated_steps(const Boundary& a, const Boundary& b);
 
+// The parts of that work: the vertices that the walk passes, and as many for the rounding. 0 for
+// convex polygons, which nothing walks.
+std::uint64_t parts_of_sum(const Boundary& a, const Boundary& b);
+
 // An operand within half of the tolerance of the given polygon: the errors of both operands add
 // up in the sum. The polygon itself where a simplification would not save a quarter of its
 // vertices, for it would save no time.

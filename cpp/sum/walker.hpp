@@ -17,6 +17,50 @@
 
 namespace gcv {
 
+// How much of both boundaries an arc has passed, in vertices: all of its arcs pass all of them.
+class Extent {
+ public:
+  Extent(const Operands& operands, const VertexSum& first, const VertexSum& last)
+      : a_(operands.a.size(), first.i, last.i), b_(operands.b.size(), first.j, last.j) {
+    if (first == last) {
+      a_.length = operands.a.size();
+      b_.length = operands.b.size();
+    }
+  }
+
+  // The vertices that are passed up to an edge, but for those before. Ways back do not count.
+  std::uint64_t pass(const EdgeName& edge) { return pass(a_.to(edge.i) + b_.to(edge.j)); }
+  // The others.
+  std::uint64_t finish() { return pass(a_.length + b_.length); }
+
+ private:
+  // A part of a ring.
+  struct Part {
+    Part(std::uint64_t ring_size, Index from, Index to)
+        : size(ring_size), begin(from), length((to + ring_size - from) % ring_size) {}
+
+    // How far a vertex lies along it. What lies before the part, or behind, is taken to its ends.
+    [[nodiscard]] std::uint64_t to(Index vertex) const {
+      const std::uint64_t along = (vertex + size - begin) % size;
+      return along <= length ? along : along - length < size - along ? length : 0;
+    }
+
+    std::uint64_t size;
+    std::uint64_t begin;
+    std::uint64_t length;
+  };
+
+  std::uint64_t pass(std::uint64_t total) {
+    const std::uint64_t more = total > passed_ ? total - passed_ : 0;
+    passed_ += more;
+    return more;
+  }
+
+  Part a_;
+  Part b_;
+  std::uint64_t passed_ = 0;
+};
+
 // Search finds superset edges:
 //   turn, way: as for Step;
 //   edges_from(i, j): the two that start in a vertex of the hull of the sum;
@@ -46,6 +90,7 @@ class Walker {
     place_ = Place::of(first);
     next_ = first_edge(first);
     last_ = last;
+    extent_.emplace(operands_, first, last);
     EdgeName arriving = next_;
     do {
       if (turns_) {
@@ -112,7 +157,7 @@ class Walker {
 
  private:
   Walk finished() {
-    task_.advance(walk_.steps % Task::portion);
+    task_.advance(walk_.steps % Task::portion, extent_ ? extent_->finish() : 0);
     walk_.candidates += step_.candidates();
     return std::move(walk_);
   }
@@ -184,7 +229,7 @@ class Walker {
     if (++walk_.steps % Task::portion != 0) {
       return;
     }
-    task_.advance(Task::portion);
+    task_.advance(Task::portion, extent_ ? extent_->pass(next_) : 0);
     const double segments = 2.0 * operands_.a.size() * operands_.b.size();
     if (static_cast<double>(walk_.steps) > 64 * segments) {
       throw Error(Status::internal, "the walk along the outer face does not end");
@@ -203,6 +248,7 @@ class Walker {
   PairEdge next_{};    // the edge that it leaves the place by
   bool turns_ = true;  // does the boundary turn in the place?
   VertexSum last_{no_vertex, no_vertex};
+  std::optional<Extent> extent_;  // of an arc
 };
 
 }  // namespace gcv

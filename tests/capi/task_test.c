@@ -125,7 +125,9 @@ struct reports {
   uint64_t done;
   uint64_t estimate;
   int estimates; /* how many there were, one after another */
+  int ends;      /* how many reached the estimate */
   int wrong;
+  double shares[MOST_REPORTS]; /* of the estimates that were done */
   pthread_t thread;
 };
 
@@ -136,6 +138,9 @@ static int32_t record(void *context, uint64_t done, uint64_t estimate) {
   reports->done = done;
   if (reports->count == 0 || estimate != reports->estimate) ++reports->estimates;
   reports->estimate = estimate;
+  if (done == estimate) ++reports->ends;
+  if (reports->count < MOST_REPORTS)
+    reports->shares[reports->count] = (double)done / (double)estimate;
   return ++reports->count == reports->cancel_at ? 7 : 0;
 }
 
@@ -194,6 +199,23 @@ static void estimate_of_a_region_lasts(void) {
   CHECK(reports.count >= 6 && reports.estimates <= 2 && !reports.wrong);
   gcv_region_destroy(region);
   gcv_polygon_destroy(large);
+}
+
+/* Two stars have far more steps than vertices. Still a bar goes on evenly, and ends with the work.
+ */
+static void share_of_a_sum_is_even(void) {
+  gcv_polygon *a = star(2000, 3), *b = star(1999, 5);
+  struct reports reports;
+  gcv_outer_face *face = NULL;
+  gcv_options options = reporting(&reports, 0, 1);
+  CHECK_OK(gcv_minkowski_sum(a, b, &options, &face));
+  CHECK(reports.count >= 8 && reports.count < MOST_REPORTS && !reports.wrong);
+  CHECK(reports.ends == 1);
+  CHECK(reports.shares[reports.count / 4] > 0.1 && reports.shares[reports.count / 4] < 0.5);
+  CHECK(reports.shares[reports.count / 2] > 0.3 && reports.shares[reports.count / 2] < 0.7);
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
 }
 
 static void many(void) {
@@ -427,6 +449,7 @@ int main(void) {
   threads_are_checked();
   progress_is_reported();
   estimate_of_a_region_lasts();
+  share_of_a_sum_is_even();
   many();
   regions();
   regions_at_the_same_time();
