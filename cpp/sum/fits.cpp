@@ -26,7 +26,7 @@ class Fits::LineOrder {
     if (const int side = side_of(p, q); side != 0) {
       return side < 0;
     }
-    return is_before(order_, p, q) || (!is_before(order_, q, p) && p.edge < q.edge);
+    return is_before(order_, p, q) || (!is_before(order_, q, p) && p.edge.key() < q.edge.key());
   }
 
   [[nodiscard]] bool are_on_one_line(const ExactSegment& p, const ExactSegment& q) const {
@@ -70,7 +70,9 @@ void Fits::finish(const std::vector<RingVertex>& corners) {
   // Of equal ones, that with the smallest names comes first.
   std::sort(points_.begin(), points_.end(), [&](const auto& p, const auto& q) {
     const int order = order_.compare(p, q);
-    const auto names = [](const RingVertex& v) { return std::pair(v.leaving(), v.arriving()); };
+    const auto names = [](const RingVertex& v) {
+      return std::pair(v.leaving().key(), v.arriving().key());
+    };
     return order < 0 || (order == 0 && names(p.vertex) < names(q.vertex));
   });
   points_.erase(

@@ -10,9 +10,9 @@
 // that starts there: by less than half a turn.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "boundary.hpp"
@@ -42,7 +42,9 @@ struct EdgeName {
   Index i;
   Index j;
 
-  friend auto operator<=>(const EdgeName&, const EdgeName&) = default;
+  friend bool operator==(const EdgeName&, const EdgeName&) = default;
+  // For an order of all names.
+  [[nodiscard]] auto key() const { return std::tuple(kind, i, j); }
 };
 
 // Such an edge.
