@@ -2,6 +2,7 @@
 #include "catalogue.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace worlds {
 namespace {
@@ -20,13 +21,6 @@ Ring normalised(Ring ring) {
   }
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
-}
-
-Point image(int symmetry, Point p) {
-  if ((symmetry & 1) != 0) {
-    p = {p.y, p.x};
-  }
-  return {(symmetry & 2) != 0 ? -p.x : p.x, (symmetry & 4) != 0 ? -p.y : p.y};
 }
 
 }  // namespace
@@ -61,19 +55,6 @@ Catalogue::Catalogue(int grid, int corners) {
       const auto found = std::lower_bound(rings_.begin(), rings_.end(), normalised(turned));
       images_[static_cast<std::size_t>(symmetry)].push_back(
           static_cast<std::size_t>(found - rings_.begin()));
-    }
-  }
-}
-
-void Catalogue::visit_pairs(const std::function<void(std::size_t, std::size_t)>& visit) const {
-  for (std::size_t i = 0; i < rings_.size(); ++i) {
-    for (std::size_t j = i; j < rings_.size(); ++j) {
-      if (std::all_of(images_.begin(), images_.end(), [&](const auto& image) {
-            const std::pair<std::size_t, std::size_t> other = std::minmax(image[i], image[j]);
-            return std::pair{i, j} <= other;
-          })) {
-        visit(i, j);
-      }
     }
   }
 }

@@ -3,12 +3,11 @@
 // Polygons of small integers: all there are, and samples.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 #include "plane.hpp"
+#include "symmetries.hpp"
 
 namespace worlds {
 
@@ -20,15 +19,11 @@ class Catalogue {
   Catalogue(int grid, int corners);
 
   [[nodiscard]] const std::vector<Ring>& rings() const { return rings_; }
-
-  // Visits one of all pairs that are the same by exchange, and by a symmetry of the square for
-  // both.
-  void visit_pairs(const std::function<void(std::size_t, std::size_t)>& visit) const;
+  [[nodiscard]] const Images& images() const { return images_; }
 
  private:
   std::vector<Ring> rings_;
-  // What each symmetry makes of each ring.
-  std::array<std::vector<std::size_t>, 8> images_;
+  Images images_;
 };
 
 // The same numbers from the same seed everywhere.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <limits>
 
 namespace worlds {
@@ -16,16 +17,6 @@ std::vector<Convex> reflected_pieces(const std::vector<Convex>& pieces) {
   return result;
 }
 
-Point size_of(const Ring& ring) {
-  Point low = ring[0];
-  Point high = ring[0];
-  for (const Point& p : ring) {
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
-  return high - low;
-}
-
 std::string number(double x) {
   std::array<char, 32> buffer{};
   std::snprintf(buffer.data(), buffer.size(), "%.17g", x);
@@ -34,7 +25,7 @@ std::string number(double x) {
 
 std::string line(const std::string& text) { return "  " + text + "\n"; }
 
-// A question about some operands.
+// A question about some operands, which are printed where the answers differ.
 class Question {
  public:
   Question(std::string operands, Report& report)
@@ -45,6 +36,16 @@ class Question {
     report_.add_answers(1);
     if (library != definition) {
       report_.differ(question, operands_, library, definition);
+    }
+  }
+
+  // Asks, and reports what fails.
+  template <class Ask>
+  void attempt(Ask ask) {
+    try {
+      ask();
+    } catch (const std::exception& e) {
+      report_.differ("failure", operands_, line(e.what()), line("an answer"));
     }
   }
 
@@ -162,28 +163,7 @@ void compare_inner_fit(const Operand& a, const Operand& b, Question& question) {
   question.compare("inner fit of B in A", text(*region), expected);
 }
 
-}  // namespace
-
-Operand::Operand(const Polygon& given)
-    : polygon(given),
-      inside(inner_pieces(given)),
-      outside(outer_pieces(given, kReach)),
-      reflected_inside(reflected_pieces(inside)),
-      handle(make_polygon(given)),
-      reflected_handle(make_polygon(reflected(given))),
-      size(size_of(given[0])) {}
-
-void Report::differ(const std::string& question, const std::string& operands,
-                    const std::string& library, const std::string& definition) {
-  if (++differences_ <= 10) {
-    std::printf("Different: %s\n%slibrary:\n%sby definition:\n%s\n", question.c_str(),
-                operands.c_str(), library.c_str(), definition.c_str());
-  }
-}
-
-void compare_pair(const Operand& a, const Operand& b, Report& report) {
-  report.add_case();
-  Question question("  A: " + text(a.polygon) + "\n  B: " + text(b.polygon) + "\n", report);
+void compare_pair(const Operand& a, const Operand& b, Question& question) {
   OpenSum sum;
   sum.add(a.inside, b.reflected_inside);
   const Parts expected = parts(sum, Shown::sum);
@@ -202,6 +182,53 @@ void compare_pair(const Operand& a, const Operand& b, Report& report) {
   compare_inner_fit(a, b, question);
   compare_places(PairSubject(*a.handle, *b.handle), sum, expected, -2 * b.size - Point{1, 1},
                  2 * a.size + Point{1, 1}, question);
+}
+
+void compare_free(const gcv_scene& scene, Point size, const Operand& moving, const OpenSum& sum,
+                  Question& question) {
+  const Parts expected = parts(sum, Shown::free);
+
+  gcv_region* region = nullptr;
+  check(gcv_scene_free_region(&scene, moving.handle.get(), nullptr, nullptr, nullptr, &region));
+  const Owner<gcv_region> owner(region);
+  question.compare("free region", text(*region), text(expected));
+  compare_places(SceneSubject(scene, *moving.handle), sum, expected, {-1, -1},
+                 2 * size + Point{1, 1}, question);
+}
+
+}  // namespace
+
+Operand::Operand(const Polygon& given) : Operand(given, inner_pieces(given), outer_pieces(given)) {}
+
+Operand::Operand(const Figure& figure)
+    : Operand(figure.polygon(), figure.pieces(), figure.rest()) {}
+
+Operand::Operand(const Polygon& given, const std::vector<Convex>& pieces, std::vector<Convex> rest)
+    : polygon(given),
+      inside(pieces),
+      outside(std::move(rest)),
+      reflected_inside(reflected_pieces(inside)),
+      handle(make_polygon(given)),
+      reflected_handle(make_polygon(reflected(given))) {
+  for (const Convex& piece : surroundings(given)) {
+    outside.push_back(piece);
+  }
+  const auto [low, high] = bounds(given[0]);
+  size = high - low;
+}
+
+void Report::differ(const std::string& question, const std::string& operands,
+                    const std::string& library, const std::string& definition) {
+  if (++differences_ <= 10) {
+    std::printf("Different: %s\n%slibrary:\n%sby definition:\n%s\n", question.c_str(),
+                operands.c_str(), library.c_str(), definition.c_str());
+  }
+}
+
+void compare_pair(const Operand& a, const Operand& b, Report& report) {
+  report.add_case();
+  Question question("  A: " + text(a.polygon) + "\n  B: " + text(b.polygon) + "\n", report);
+  question.attempt([&] { compare_pair(a, b, question); });
 }
 
 void compare_scene(const Operand& container, const std::array<Operand, 3>& members,
@@ -225,15 +252,7 @@ void compare_scene(const Operand& container, const std::array<Operand, 3>& membe
     sum.add(inner_pieces(placed), moving.reflected_inside);
   }
   Question question(operands + "  moving: " + text(moving.polygon) + "\n", report);
-  const Parts expected = parts(sum, Shown::free);
-
-  gcv_region* region = nullptr;
-  check(
-      gcv_scene_free_region(scene.get(), moving.handle.get(), nullptr, nullptr, nullptr, &region));
-  const Owner<gcv_region> owner(region);
-  question.compare("free region", text(*region), text(expected));
-  compare_places(SceneSubject(*scene, *moving.handle), sum, expected, {-1, -1},
-                 2 * container.size + Point{1, 1}, question);
+  question.attempt([&] { compare_free(*scene, container.size, moving, sum, question); });
 }
 
 }  // namespace worlds

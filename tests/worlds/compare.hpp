@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "figures.hpp"
 #include "library.hpp"
 #include "parts.hpp"
 
@@ -15,6 +16,7 @@ namespace worlds {
 // A polygon with all that is asked of it.
 struct Operand {
   explicit Operand(const Polygon& given);
+  explicit Operand(const Figure& figure);
 
   Polygon polygon;
   std::vector<Convex> inside;
@@ -25,10 +27,10 @@ struct Operand {
   Owner<gcv_polygon> reflected_handle;
   // The width and the height.
   Point size;
-};
 
-// How far what is outside of a container is looked at.
-inline constexpr Int kReach = 16;
+ private:
+  Operand(const Polygon& given, const std::vector<Convex>& pieces, std::vector<Convex> rest);
+};
 
 // What was compared, and where it differed.
 class Report {

@@ -82,9 +82,19 @@ std::vector<Point> vertices(const Polygon& polygon) {
   return points;
 }
 
-Convex box(Int x0, Int y0, Int x1, Int y1) { return {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}; }
+Convex box(Point low, Point high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
 }  // namespace
+
+std::pair<Point, Point> bounds(const std::vector<Point>& points) {
+  Point low = points[0];
+  Point high = points[0];
+  for (const Point& p : points) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  return {low, high};
+}
 
 Point primitive(Point direction) {
   const Int g = std::gcd(direction.x, direction.y);
@@ -152,7 +162,10 @@ bool is_valid(const Polygon& polygon) {
       }
     }
     for (const Convex& t : i == 0 ? std::vector<Convex>{} : inner_pieces({polygon[i]})) {
-      const std::vector<Convex> around = outer_pieces(outer, 16);
+      std::vector<Convex> around = outer_pieces(outer);
+      for (const Convex& piece : surroundings(outer)) {
+        around.push_back(piece);
+      }
       const auto hits = [&](const Convex& piece) { return meet(piece, t); };
       if (std::any_of(around.begin(), around.end(), hits)) {
         return false;
@@ -186,23 +199,24 @@ std::vector<Convex> inner_pieces(const Polygon& polygon) {
   return triangles(vertices(polygon), polygon, true);
 }
 
-std::vector<Convex> outer_pieces(const Polygon& polygon, Int reach) {
+std::vector<Convex> outer_pieces(const Polygon& polygon) {
   std::vector<Point> points = vertices(polygon);
-  const auto [left, right] = std::minmax_element(points.begin(), points.end());
-  const auto [low, high] =
-      std::minmax_element(points.begin(), points.end(), [](Point a, Point b) { return a.y < b.y; });
-  const Int x0 = left->x, y0 = low->y, x1 = right->x, y1 = high->y;
-  for (const Point& corner : box(x0, y0, x1, y1)) {
+  const auto [low, high] = bounds(points);
+  for (const Point& corner : box(low, high)) {
     if (std::find(points.begin(), points.end(), corner) == points.end()) {
       points.push_back(corner);
     }
   }
-  std::vector<Convex> pieces = triangles(points, polygon, false);
-  pieces.push_back(box(x0 - reach, y0 - reach, x0, y1 + reach));
-  pieces.push_back(box(x1, y0 - reach, x1 + reach, y1 + reach));
-  pieces.push_back(box(x0, y0 - reach, x1, y0));
-  pieces.push_back(box(x0, y1, x1, y1 + reach));
-  return pieces;
+  return triangles(points, polygon, false);
+}
+
+std::vector<Convex> surroundings(const Polygon& polygon) {
+  constexpr Int kReach = 16;
+  const auto [low, high] = bounds(polygon[0]);
+  const Point far_low = low - Point{kReach, kReach};
+  const Point far_high = high + Point{kReach, kReach};
+  return {box(far_low, {low.x, far_high.y}), box({high.x, far_low.y}, far_high),
+          box({low.x, far_low.y}, {high.x, low.y}), box({low.x, high.y}, {high.x, far_high.y})};
 }
 
 Polygon reflected(const Polygon& polygon) {

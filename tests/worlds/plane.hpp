@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace worlds {
@@ -41,6 +42,9 @@ struct Edge {
 
 std::vector<Edge> edges(const Polygon& polygon);
 
+// The lower left and the upper right corner of the box of points.
+std::pair<Point, Point> bounds(const std::vector<Point>& points);
+
 // Twice the area; positive where the ring is counter-clockwise.
 Wide twice_area(const Ring& ring);
 
@@ -62,8 +66,11 @@ bool meet(const Convex& a, const Convex& b);
 // Triangles that make up a polygon, without overlaps.
 std::vector<Convex> inner_pieces(const Polygon& polygon);
 
-// Convex polygons that make up all that is outside of a polygon, as far as `reach` from its box.
-std::vector<Convex> outer_pieces(const Polygon& polygon, Int reach);
+// Convex polygons that make up all that is outside of a polygon but in its box.
+std::vector<Convex> outer_pieces(const Polygon& polygon);
+
+// Four boxes round the box of a polygon, as wide as what is looked at.
+std::vector<Convex> surroundings(const Polygon& polygon);
 
 Polygon reflected(const Polygon& polygon);
 Polygon moved(const Polygon& polygon, Point by);
