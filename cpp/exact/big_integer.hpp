@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Integers of any size: Boost's, or GMP's by choice. Both give the same values. Boost's throw
-// std::bad_alloc where there is no memory; GMP ends the process.
+// Integers of any size: GMP's, or Boost's where there is no GMP. Both give the same values.
 // Heavy headers: include this in source files only.
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // The geometric predicates. They are exact for all finite doubles. Each has four tiers: a filter in
 // doubles with a proven error bound (see predicates.cpp), double-double, integers of fixed width,
-// and integers of any size.
+// GMP's integers.
 //
 // Axioms. orientation(p, q, r) = orientation(q, r, p) = -orientation(q, p, r). side and
 // compare_crossings do not change when the polygons are translated, if the translated vertices are

@@ -17,7 +17,7 @@ namespace gcv {
 
 namespace {
 
-// In decimal digits.
+// In decimal digits, without GMP.
 template <class Integer>
 std::string to_text(Integer value) {
   const bool is_negative = sign(value) < 0;

@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 install_packages() {
   local packages=(doxygen git python3-venv) missing=() package
-  [ -n "${GCV_LIBRARY-}" ] || packages+=(cmake g++ ninja-build pkg-config libboost-dev)
+  [ -n "${GCV_LIBRARY-}" ] || packages+=(cmake g++ ninja-build pkg-config libgmp-dev libboost-dev)
   for package in "${packages[@]}"; do
     dpkg-query -W -f='${Status}' "$package" 2> /dev/null | grep -q '^install ok installed' ||
       missing+=("$package")

@@ -223,7 +223,7 @@ void starve_polygons() {
   starve("gcv_polygon_create_disc", handle<gcv_polygon>([](gcv_polygon** out) {
            return gcv_polygon_create_disc(xy, 1, 0.01, GCV_ROUND_OUTWARD, out);
          }));
-  // Integers of more than 512 bits, which take memory.
+  // Integers of more than 512 bits, for which GMP has to ask for memory.
   const Owner<gcv_polygon> plate = gcv::faults::read(wkt);
   for (const double tiny : {0.0, 0x1p-1074}) {
     starve("gcv_polygon_affine", handle<gcv_polygon>([&](gcv_polygon** out) {
@@ -249,6 +249,7 @@ void starve_polygons() {
 }  // namespace
 
 int main() {
+  gcv::faults::count_memory_of_gmp();
   starve_polygons();
   bool repaired = false;
   bool rational = false;

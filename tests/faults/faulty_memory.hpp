@@ -16,4 +16,7 @@ extern long faults_left;  // allocations that fail after these
 extern bool failed;
 extern bool failed_loudly;  // in an allocation that throws
 
+// What GMP takes counts as live, too.
+void count_memory_of_gmp();
+
 }  // namespace gcv::faults

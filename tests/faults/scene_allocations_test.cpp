@@ -304,6 +304,7 @@ void starve_lists() {
 }  // namespace
 
 int main() {
+  gcv::faults::count_memory_of_gmp();
   starve_handles();
   starve_changes();
   starve_growth();

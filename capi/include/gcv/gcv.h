@@ -37,8 +37,9 @@
  *
  * Errors. Functions that can fail return a gcv_status. A function that fails writes
  * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
- * throws, prints, or keeps global state. (Where the library was built with GCV_GMP, GMP
- * ends the process when it cannot get memory for a number of more than 512 bits.)
+ * throws, prints, or keeps global state. There is one exception, which this library
+ * cannot prevent: GMP ends the process when it cannot get memory for a number of
+ * more than 512 bits.
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
