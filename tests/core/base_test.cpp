@@ -203,13 +203,28 @@ TEST(Task, ReportsPortions) {
   EXPECT_EQ(caller.reports.back(), std::pair(portion, 4 * portion));
   task.advance(portion - 1);
   EXPECT_EQ(caller.reports.size(), 2U);
-  // An estimate that was too low is never below what is done.
+  // An estimate that was too low is raised above what is done.
   task.advance(5 * portion + 1);
-  EXPECT_EQ(caller.reports.back(), std::pair(7 * portion, 7 * portion));
+  EXPECT_EQ(caller.reports.back(), std::pair(7 * portion, 7 * portion + 7 * portion / 16 + 1));
   task.advance(1);
   task.finish();
   EXPECT_EQ(caller.reports.back(), std::pair(7 * portion + 1, 7 * portion + 1));
   EXPECT_EQ(caller.reports.size(), 4U);
+}
+
+// Parts that are done say how many steps the others take. Few of them say nothing yet.
+TEST(Task, EstimatesByParts) {
+  Caller caller;
+  Task task(1, Caller::report, &caller);
+  task.begin(4 * portion, 64);
+  task.advance(portion, 2);
+  EXPECT_EQ(caller.reports.back(), std::pair(portion, 4 * portion));
+  task.advance(portion, 14);
+  EXPECT_EQ(caller.reports.back(), std::pair(2 * portion, 8 * portion));
+  task.advance(2 * portion, 48);
+  EXPECT_EQ(caller.reports.back(), std::pair(4 * portion, 4 * portion + 4 * portion / 16 + 1));
+  task.finish();
+  EXPECT_EQ(caller.reports.back(), std::pair(4 * portion, 4 * portion));
 }
 
 // Too high an estimate is corrected in the end.
