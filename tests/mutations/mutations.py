@@ -9,6 +9,7 @@ CMAKE_CXX_COMPILER_LAUNCHER=ccache and CMAKE_C_COMPILER_LAUNCHER=ccache in the e
 import argparse
 import collections
 import dataclasses
+import fcntl
 import fnmatch
 import hashlib
 import json
@@ -33,7 +34,7 @@ EQUIVALENT = pathlib.Path(__file__).with_name("equivalent.txt")
 
 ROOMS = ("exact", "sum", "search", "rounding")
 MORE_ROOMS = ("superset", "contact", "scene")
-COPIED = ("CMakeLists.txt", "bindings", "capi", "cpp", "pkgconfig", "tests")
+COPIED = ("CMakeLists.txt", "bench", "bindings", "capi", "cpp", "pkgconfig", "tests")
 TESTS = r"^(hard\.digest$|core\.|capi\.|fuzz\.)"
 CMAKE = (
     *("-G", "Ninja", "-DCMAKE_BUILD_TYPE=RelWithDebInfo"),
@@ -170,12 +171,12 @@ def baseline(tests: list[Test], jobs: int) -> dict[str, Run]:
 
 
 def ordered(tests: list[Test], known: dict[str, Run], file: str) -> list[Test]:
-    """Those that find most soonest: that of the file, the digest, and then the shortest ones."""
+    """Those that find most soonest: that of the file, and then the shortest ones."""
     stem = pathlib.Path(file).stem
 
-    def key(test: Test) -> tuple[bool, bool, float]:
+    def key(test: Test) -> tuple[bool, float]:
         own = test.name.split(".")[1].removesuffix("_test") == stem
-        return not own, test.name != "hard.digest", known[test.name].seconds
+        return not own, known[test.name].seconds
 
     return sorted(tests, key=key)
 
@@ -295,6 +296,11 @@ def main() -> None:
             print(k, mutant.place, mutant.change, sep="\t")
         return
     TREE.mkdir(parents=True, exist_ok=True)
+    lock = (FOLDER / "lock").open("w")
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        sys.exit(f"another run is at work in {FOLDER}")
     copy_tree()
     subprocess.run(
         ["cmake", "-S", TREE, "-B", BUILD, *CMAKE], check=True, stdout=subprocess.DEVNULL
