@@ -125,9 +125,13 @@ def all_tests(pattern: str) -> list[Test]:
 
 
 def run(test: Test, limit: float) -> Run:
-    """Runs a test for so many seconds of the processor, and for many more by the clock."""
+    """Runs a test for so many seconds of the processor, and for many more by the clock.
+
+    In a group of processes of its own, but not in a session, for which Linux would forget the niceness.
+    """
 
     def set_limits() -> None:
+        os.setpgid(0, 0)
         seconds = int(limit) + 1
         resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
         resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
@@ -137,7 +141,7 @@ def run(test: Test, limit: float) -> Run:
     process = subprocess.Popen(
         test.command, cwd=BUILD, env={**os.environ, **dict(test.environment)},
         stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-        start_new_session=True, preexec_fn=set_limits,
+        preexec_fn=set_limits,
     )  # fmt: skip
     try:
         status = process.wait(600 + 100 * limit)
@@ -192,6 +196,8 @@ def outcome(mutant: Mutant, tests: list[Test], known: dict[str, Run], code: str,
             return NO_CODE
         limit = 5 * known[test.name].seconds + 5
         now = run(test, limit)
+        if now.status in (-signal.SIGINT, -signal.SIGTERM):
+            sys.exit(f"{test.name} was ended by someone else")
         if now.status != known[test.name].status:
             too_long = now.status in (-signal.SIGXCPU, -signal.SIGKILL)
             return FOUND + test.name + (" (time limit)" if too_long else "")
