@@ -96,7 +96,7 @@ def build(targets: list[str], jobs: int) -> bool:
         try:
             return (
                 subprocess.run(
-                    ["cmake", "--build", BUILD, "--parallel", str(jobs), "--target", *targets],
+                    ["ninja", "-C", BUILD, "-j", str(jobs), *targets],
                     stdout=log, stderr=log, timeout=LONGEST_BUILD, check=False,
                 ).returncode
                 == 0
@@ -127,7 +127,7 @@ def all_tests(pattern: str) -> list[Test]:
 def run(test: Test, limit: float) -> Run:
     """Runs a test for so many seconds of the processor, and for many more by the clock.
 
-    In a group of processes of its own, but not in a session, for which Linux would forget the niceness.
+    In a group of processes of its own, but no session: that would lose the niceness.
     """
 
     def set_limits() -> None:
@@ -301,6 +301,7 @@ def main() -> None:
         for k, mutant in enumerate(mutants, 1):
             print(k, mutant.place, mutant.change, sep="\t")
         return
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit("ended"))
     TREE.mkdir(parents=True, exist_ok=True)
     lock = (FOLDER / "lock").open("w")
     try:
