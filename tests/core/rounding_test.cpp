@@ -371,13 +371,14 @@ TEST(Rounding, RefusesWhatIsTooSmallForDoubles) {
 TEST(Rounding, RefusesWhatNoDoubleHolds) {
   const Ring wide{{1e308, 0}, {1.5e308, 0}, {1e308, 1}};
   const Ring high{{0, 1e308}, {1, 1e308}, {0, 1.5e308}};
-  for (const auto& [large, coordinate] : {std::pair(wide, "the x "), std::pair(high, "the y ")}) {
+  for (const auto& [large, coordinate] :
+       {std::pair(wide, "x coordinate"), std::pair(high, "y coordinate")}) {
     try {
       sum_of(large, large, {0, 0});
       FAIL();
     } catch (const Error& error) {
       EXPECT_EQ(error.status(), Status::range);
-      EXPECT_TRUE(std::string(error.what()).starts_with(coordinate));
+      EXPECT_NE(std::string(error.what()).find(coordinate), std::string::npos) << error.what();
     }
   }
 }
