@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "half_plane.hpp"
 
+#include <cstdint>
+#include <vector>
+
+#include "contributions.hpp"
+
 namespace gcv {
 
 namespace {

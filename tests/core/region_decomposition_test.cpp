@@ -23,6 +23,8 @@ namespace {
 using test::Random;
 using test::RegionCase;
 
+test::CaseOptions chosen{100, 11};
+
 // Compares `count` cases.
 void expect_agreement_on(int count, std::uint64_t seed, RegionCase (*next_case)(Random&)) {
   Random random(seed);
@@ -43,7 +45,9 @@ void expect_agreement_on(int count, std::uint64_t seed, RegionCase (*next_case)(
 
 class RegionRings : public ::testing::TestWithParam<test::RegionFamily> {};
 
-TEST_P(RegionRings, AreThoseOfTheUnion) { expect_agreement_on(100, 11, GetParam().next_case); }
+TEST_P(RegionRings, AreThoseOfTheUnion) {
+  expect_agreement_on(chosen.cases, chosen.seed, GetParam().next_case);
+}
 
 INSTANTIATE_TEST_SUITE_P(Families, RegionRings,
                          ::testing::ValuesIn(test::region_families().begin(),
@@ -90,3 +94,5 @@ TEST(RegionRings, OfPlates) { expect_agreement_on(30, 13, random_plate); }
 
 }  // namespace
 }  // namespace gcv
+
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::chosen, argc, argv); }

@@ -18,6 +18,8 @@
 namespace gcv {
 namespace {
 
+test::CaseOptions chosen{200};
+
 Region region_of(const test::RegionCase& c, const RegionOptions& options = {}) {
   return c.inner_fit ? test::fit_region(c.a, c.b, c.shift, options)
                      : test::sum_region(c.a, c.b, c.shift, options);
@@ -31,11 +33,10 @@ std::string reference_of(const test::RegionCase& c) {
 class Regions : public ::testing::TestWithParam<test::RegionFamily> {};
 
 TEST_P(Regions, AreThoseOfTheDefinition) {
-  constexpr int count = 200;
-  test::Random random(1);
+  test::Random random(chosen.seed);
   std::size_t holes = 0;
   std::size_t fits = 0;
-  for (int k = 0; k < count; ++k) {
+  for (int k = 0; k < chosen.cases; ++k) {
     const test::RegionCase c = GetParam().next_case(random);
     const Region region = region_of(c);
     ASSERT_EQ(test::text_of(region.exact), reference_of(c)) << "case " << k;
@@ -45,7 +46,8 @@ TEST_P(Regions, AreThoseOfTheDefinition) {
       fits += part.is_ring() ? 0U : 1U;
     }
   }
-  std::printf("%d cases, seed 1: %zu holes, %zu fits\n", count, holes, fits);
+  std::printf("%d cases, seed %llu: %zu holes, %zu fits\n", chosen.cases,
+              static_cast<unsigned long long>(chosen.seed), holes, fits);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, Regions,
@@ -55,3 +57,5 @@ INSTANTIATE_TEST_SUITE_P(Families, Regions,
 
 }  // namespace
 }  // namespace gcv
+
+int main(int argc, char** argv) { return gcv::test::run_with(gcv::chosen, argc, argv); }

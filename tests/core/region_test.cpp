@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
 #include "generators.hpp"
 #include "locate.hpp"
 #include "minkowski_sum.hpp"
@@ -151,6 +152,16 @@ TEST(Region, OfTheLargestNumbers) {
 
 // Two islands of a container that touch each other's surroundings: rings are cut where the walk
 // comes to a point again.
+// The free positions of a part far below, in a container far above, and the same sideways.
+TEST(Region, RefusesPositionsThatNoDoubleHolds) {
+  const PolygonRings high{{{0, 1.5e308}, {3, 1.5e308}, {3, 1.7e308}, {0, 1.7e308}}};
+  const PolygonRings low{{{0, -1e308}, {1, -1e308}, {1, -0.9e308}, {0, -0.9e308}}};
+  const PolygonRings right{{{1.5e308, 0}, {1.7e308, 0}, {1.7e308, 3}, {1.5e308, 3}}};
+  const PolygonRings left{{{-1e308, 0}, {-0.9e308, 0}, {-0.9e308, 1}, {-1e308, 1}}};
+  EXPECT_THROW(static_cast<void>(test::fit_region(high, low)), Error);
+  EXPECT_THROW(static_cast<void>(test::fit_region(right, left)), Error);
+}
+
 TEST(Region, CutsRingsThatTouchThemselves) {
   const PolygonRings container{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
                                {{3, 3}, {5, 3}, {5, 5}, {3, 5}},

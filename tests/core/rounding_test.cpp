@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <string>
+#include <utility>
 
 #include "area.hpp"
 #include "double_double_rounding.hpp"
@@ -367,12 +369,17 @@ TEST(Rounding, RefusesWhatIsTooSmallForDoubles) {
 }
 
 TEST(Rounding, RefusesWhatNoDoubleHolds) {
-  const Ring large{{1e308, 0}, {1.5e308, 0}, {1e308, 1}};
-  try {
-    sum_of(large, large, {0, 0});
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.status(), Status::range);
+  const Ring wide{{1e308, 0}, {1.5e308, 0}, {1e308, 1}};
+  const Ring high{{0, 1e308}, {1, 1e308}, {0, 1.5e308}};
+  for (const auto& [large, coordinate] :
+       {std::pair(wide, "x coordinate"), std::pair(high, "y coordinate")}) {
+    try {
+      sum_of(large, large, {0, 0});
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.status(), Status::range);
+      EXPECT_NE(std::string(error.what()).find(coordinate), std::string::npos) << error.what();
+    }
   }
 }
 

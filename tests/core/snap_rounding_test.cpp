@@ -107,6 +107,16 @@ TEST(SnapRounding, TakesTheLargerLobeAtAllMagnitudes) {
   }
 }
 
+// A crossing of edges of few bits, in a ring so long that its pixels are much longer than they are.
+TEST(SnapRounding, FindsTheCrossingOfTinyEdgesInHugePixels) {
+  constexpr double u = 0x1p-60;
+  constexpr double far = 0x1p120;
+  expect_ring({{0, 0}, {6 * u, 6 * u}, {0, 4 * u}, {6 * u, -2 * u}, {6 * u, far}, {0, far}},
+              {{0, 0}, {2 * u, 0}, {6 * u, 0}, {6 * u, far}, {0, far}}, 0);
+  expect_ring({{0, 0}, {6 * u, 6 * u}, {4 * u, 0}, {-2 * u, 6 * u}, {far, 6 * u}, {far, 0}},
+              {{0, 0}, {far, 0}, {far, 6 * u}, {0, 6 * u}, {0, 2 * u}}, 0);
+}
+
 TEST(SnapRounding, LeavesOutWhatRunsForthAndBack) {
   // Outside, inside, and both along an edge.
   expect_ring({{0, 0}, {4, 0}, {8, 0}, {4, 0}, {4, 4}, {0, 4}}, square, 4);
