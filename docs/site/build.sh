@@ -6,22 +6,12 @@
 # names a library that is there, by an absolute path. Every warning is an error.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+. bench/setup.sh  # what installs packages
 
 install_packages() {
-  local packages=(doxygen git python3-venv) missing=() package
+  local packages=(doxygen git python3-venv)
   [ -n "${GCV_LIBRARY-}" ] || packages+=(cmake g++ ninja-build pkg-config libgmp-dev libboost-dev)
-  for package in "${packages[@]}"; do
-    dpkg-query -W -f='${Status}' "$package" 2> /dev/null | grep -q '^install ok installed' ||
-      missing+=("$package")
-  done
-  [ ${#missing[@]} -eq 0 ] && return
-  if [ "$(id -u)" -ne 0 ]; then
-    echo "Packages are missing, and only root can install them. Please run:" >&2
-    echo "  apt-get install ${missing[*]}" >&2
-    exit 1
-  fi
-  apt-get update -q
-  DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends "${missing[@]}"
+  install_missing "${packages[@]}"
 }
 
 build_library() {

@@ -10,18 +10,7 @@ mkdir -p "$1"
 scratch=$(cd "$1" && pwd)
 packages=(libgcv0 libgcv-dev python3-gcv)
 
-say() { echo "debian_test: $*"; }
-fail() {
-  say "$@" >&2
-  exit 1
-}
-
-# run LOG COMMAND ...: quietly, unless it fails.
-run() {
-  local log=$scratch/$1.log
-  shift
-  "$@" > "$log" 2>&1 || { tail -n 100 "$log"; fail "this fails, see $log: $*"; }
-}
+. tests/packages/steps.sh
 
 # build FOLDER: the packages of what git tracks.
 build() {

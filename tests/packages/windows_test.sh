@@ -14,18 +14,7 @@ program=$source/bindings/c/smoke.c
 cc=(x86_64-w64-mingw32-gcc-posix -std=c99 -Wall -Wextra -Werror)
 wine=/usr/lib/wine/wine64
 
-say() { echo "windows_test: $*"; }
-fail() {
-  say "$@" >&2
-  exit 1
-}
-
-# run LOG COMMAND ...: quietly, unless it fails.
-run() {
-  local log=$scratch/$1.log
-  shift
-  "$@" > "$log" 2>&1 || { tail -n 100 "$log"; fail "this fails, see $log: $*"; }
-}
+. "$source/tests/packages/steps.sh"
 
 missing=()
 need() { command -v "$1" > /dev/null || missing+=("$2"); }

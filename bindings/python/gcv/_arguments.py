@@ -162,15 +162,19 @@ def _add_operand(to: argparse.ArgumentParser, name: str) -> None:
     )
 
 
-def _add_reference(to: argparse.ArgumentParser) -> None:
+def _add_point(to: argparse._ActionsContainer, name: str, help_text: str) -> None:
     to.add_argument(
-        "--reference",
+        name,
         nargs=2,
         type=_number,
         default=(0.0, 0.0),
         metavar=("X", "Y"),
-        help="the point of B that tells where it is; default 0 0",
+        help=f"{help_text}; default 0 0",
     )
+
+
+def _add_reference(to: argparse.ArgumentParser) -> None:
+    _add_point(to, "--reference", "the point of B that tells where it is")
 
 
 def _add_whole(to: argparse.ArgumentParser) -> None:
@@ -225,14 +229,7 @@ def _add_shape_options(
 def _add_question_options(to: argparse.ArgumentParser, *, positions: bool = True) -> None:
     """The options of questions about two polygons."""
     where = to.add_mutually_exclusive_group()
-    where.add_argument(
-        "--at",
-        nargs=2,
-        type=_number,
-        default=(0.0, 0.0),
-        metavar=("X", "Y"),
-        help="how B is moved first; default 0 0",
-    )
+    _add_point(where, "--at", "how B is moved first")
     if positions:
         where.add_argument(
             "--positions", metavar="FILE", help="a table of these, an x and a y a line"

@@ -3,24 +3,12 @@
 // The first view: dragging, editing, hovering, and reading files.
 
 import assert from "node:assert/strict";
-import { after, afterEach, before, beforeEach, test } from "node:test";
+import { test } from "node:test";
 import { minkowskiSum } from "../../../bindings/javascript/dist/index.js";
-import { cornerOnScreen, drag, factsOf, give, onScreen, open, ringOf, start, until } from "./browser.mjs";
+import { cornerOnScreen, drag, factsOf, give, onScreen, ringOf, until } from "./browser.mjs";
+import { freshPage } from "./fresh_page.mjs";
 
-let site = /** @type {Awaited<ReturnType<typeof start>>} */ (/** @type {unknown} */ (null));
-let opened = /** @type {Awaited<ReturnType<typeof open>>} */ (/** @type {unknown} */ (null));
-
-before(async () => {
-  site = await start();
-});
-after(() => site?.close());
-beforeEach(async () => {
-  opened = await open(site.browser, site.url);
-});
-afterEach(async () => {
-  await opened.context.close();
-  assert.deepEqual(opened.errors, []);
-});
+const opened = freshPage();
 
 const square = "POLYGON ((0 0, 4 0, 4 4, 0 4, 0 0))";
 const triangle = "POLYGON ((0 0, 2 0, 0 2, 0 0))";

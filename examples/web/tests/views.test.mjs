@@ -3,23 +3,11 @@
 // The second and the third view.
 
 import assert from "node:assert/strict";
-import { after, afterEach, before, beforeEach, test } from "node:test";
-import { drag, factsOf, give, onScreen, open, ringOf, start, until } from "./browser.mjs";
+import { test } from "node:test";
+import { drag, factsOf, give, onScreen, ringOf, until } from "./browser.mjs";
+import { freshPage } from "./fresh_page.mjs";
 
-let site = /** @type {Awaited<ReturnType<typeof start>>} */ (/** @type {unknown} */ (null));
-let opened = /** @type {Awaited<ReturnType<typeof open>>} */ (/** @type {unknown} */ (null));
-
-before(async () => {
-  site = await start();
-});
-after(() => site?.close());
-beforeEach(async () => {
-  opened = await open(site.browser, site.url);
-});
-afterEach(async () => {
-  await opened.context.close();
-  assert.deepEqual(opened.errors, []);
-});
+const opened = freshPage();
 
 /** Shows a view, and waits for its first answer. @param {"sheet" | "blocks"} view */
 async function show(view) {

@@ -12,67 +12,64 @@
 namespace gcv {
 inline namespace hpp {
 
+namespace detail {
+
+/** What a function makes of two polygons and options. */
+template <class Owner, class Function>
+Owner sum(Function function, const Polygon& a, const Polygon& b, const Options& options) {
+  return PassedOptions(options).made<Owner>(
+      [&](const gcv_options* known, auto** out) { return function(a.get(), b.get(), known, out); });
+}
+/** And of a point. */
+template <class Owner, class Function>
+Owner sum(Function function, const Polygon& a, const Polygon& b, Point point,
+          const Options& options) {
+  return PassedOptions(options).made<Owner>([&](const gcv_options* known, auto** out) {
+    return function(a.get(), b.get(), doubles(&point), known, out);
+  });
+}
+
+}  // namespace detail
+
 /** The outer face of A + B. */
 inline OuterFace minkowski_sum(const Polygon& a, const Polygon& b, const Options& options = {}) {
-  return detail::PassedOptions(options).made<OuterFace>(
-      [&](const gcv_options* known, gcv_outer_face** out) {
-        return gcv_minkowski_sum(a.get(), b.get(), known, out);
-      });
+  return detail::sum<OuterFace>(gcv_minkowski_sum, a, b, options);
 }
 
 /** Where the reference point of `moving` may go while the two touch. */
 inline OuterFace no_fit_polygon(const Polygon& fixed, const Polygon& moving, Point reference = {},
                                 const Options& options = {}) {
-  return detail::PassedOptions(options).made<OuterFace>([&](const gcv_options* known,
-                                                            gcv_outer_face** out) {
-    return gcv_no_fit_polygon(fixed.get(), moving.get(), detail::doubles(&reference), known, out);
-  });
+  return detail::sum<OuterFace>(gcv_no_fit_polygon, fixed, moving, reference, options);
 }
 
 /** Shi's entrance block E(A, B). */
 inline OuterFace entrance_block(const Polygon& a, const Polygon& b, Point a0 = {},
                                 const Options& options = {}) {
-  return detail::PassedOptions(options).made<OuterFace>(
-      [&](const gcv_options* known, gcv_outer_face** out) {
-        return gcv_entrance_block(a.get(), b.get(), detail::doubles(&a0), known, out);
-      });
+  return detail::sum<OuterFace>(gcv_entrance_block, a, b, a0, options);
 }
 
 /** The whole of A + B, with its holes and the exact fits. */
 inline Region minkowski_sum_region(const Polygon& a, const Polygon& b,
                                    const Options& options = {}) {
-  return detail::PassedOptions(options).made<Region>(
-      [&](const gcv_options* known, gcv_region** out) {
-        return gcv_minkowski_sum_region(a.get(), b.get(), known, out);
-      });
+  return detail::sum<Region>(gcv_minkowski_sum_region, a, b, options);
 }
 
 /** Where the reference point of `moving` may not go. */
 inline Region no_fit_region(const Polygon& fixed, const Polygon& moving, Point reference = {},
                             const Options& options = {}) {
-  return detail::PassedOptions(options).made<Region>([&](const gcv_options* known,
-                                                         gcv_region** out) {
-    return gcv_no_fit_region(fixed.get(), moving.get(), detail::doubles(&reference), known, out);
-  });
+  return detail::sum<Region>(gcv_no_fit_region, fixed, moving, reference, options);
 }
 
 /** The whole of Shi's entrance block E(A, B). */
 inline Region entrance_region(const Polygon& a, const Polygon& b, Point a0 = {},
                               const Options& options = {}) {
-  return detail::PassedOptions(options).made<Region>(
-      [&](const gcv_options* known, gcv_region** out) {
-        return gcv_entrance_region(a.get(), b.get(), detail::doubles(&a0), known, out);
-      });
+  return detail::sum<Region>(gcv_entrance_region, a, b, a0, options);
 }
 
 /** Where the reference point of `moving` may go with `moving` inside the container. */
 inline Region inner_fit_region(const Polygon& container, const Polygon& moving,
                                Point reference = {}, const Options& options = {}) {
-  return detail::PassedOptions(options).made<Region>(
-      [&](const gcv_options* known, gcv_region** out) {
-        return gcv_inner_fit_region(container.get(), moving.get(), detail::doubles(&reference),
-                                    known, out);
-      });
+  return detail::sum<Region>(gcv_inner_fit_region, container, moving, reference, options);
 }
 
 namespace detail {
