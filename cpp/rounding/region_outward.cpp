@@ -224,12 +224,14 @@ void append(RoundedRegion&& island, std::size_t first, RoundedRegion& region) {
   region.parts_dropped += island.parts_dropped;
 }
 
-// At least the extents of what rounds to these points. The two roundings beside those of
-// length_bound() are within its factor.
+// At least the extents of what rounds to these points, infinite beyond the largest double. The two
+// roundings beside those of length_bound() are within its factor.
 double extents_bound(const PointVector& points) {
   const Box box = box_of(std::span<const Point>(points));
   const Point units = units_in_last_place(points);
-  return length_bound(box.x1 - box.x0 + units.x, box.y1 - box.y0 + units.y);
+  const double width = box.x1 - box.x0 + units.x;
+  const double height = box.y1 - box.y0 + units.y;
+  return std::isfinite(width) && std::isfinite(height) ? length_bound(width, height) : infinity;
 }
 
 // Segments and points whose vertices are doubles. The others are dropped, and count with their

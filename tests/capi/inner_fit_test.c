@@ -206,26 +206,37 @@ static void roundings(void) {
   gcv_polygon_destroy(container);
 }
 
-/* A segment that doubles do not show counts in the bound with its length. */
-static void lost_fit(void) {
-  const double tenth[2] = {0.1, 0};
-  gcv_polygon *container = POLYGON(1, 0, 3, 0, 3, 6, 1, 6), *moving = SQUARE(2);
+/* The one part of an inner fit is a segment that doubles do not show. The error bound. */
+static double bound_without(const gcv_polygon *container, const gcv_polygon *moving, double x) {
+  const double reference[2] = {x, 0};
   gcv_options options = GCV_OPTIONS_INIT;
   gcv_region *region = NULL;
   gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 77};
   double bound = -1;
   size_t required = 77;
   options.rounding = GCV_ROUND_OUTWARD;
-  CHECK_OK(gcv_inner_fit_region(container, moving, tenth, &options, &region));
+  CHECK_OK(gcv_inner_fit_region(container, moving, reference, &options, &region));
   CHECK_OK(gcv_region_parts(region, NULL, 0, &required));
   CHECK(required == 0);
   CHECK_OK(gcv_region_stats(region, &stats));
   CHECK(stats.parts_dropped == 1);
   CHECK_OK(gcv_region_error_bound(region, &bound));
-  CHECK(bound >= 4 && bound < 4.0001);
   gcv_region_destroy(region);
+  return bound;
+}
+
+/* It counts with its length; infinitely where that is beyond the largest double. */
+static void lost_fit(void) {
+  gcv_polygon *container = POLYGON(1, 0, 3, 0, 3, 6, 1, 6), *moving = SQUARE(2);
+  gcv_polygon *wide = POLYGON(1e308, 0, 1.5e308, 0, 1.5e308, 6, 1e308, 6);
+  gcv_polygon *high = POLYGON(0, 0, 1, 0, 1, 6, 0, 6);
+  const double bound = bound_without(container, moving, 0.1);
+  CHECK(bound >= 4 && bound < 4.0001);
+  CHECK(bound_without(wide, high, 1.5e308) == INFINITY);
   gcv_polygon_destroy(container);
   gcv_polygon_destroy(moving);
+  gcv_polygon_destroy(wide);
+  gcv_polygon_destroy(high);
 }
 
 /* The one position is no double. */
