@@ -42,7 +42,8 @@ TEST(Fma, OfRandomNumbers) {
   std::mt19937_64 random(20261126);
   const auto number = [&](int most) {
     const auto mantissa = static_cast<double>(static_cast<std::int64_t>(random()) >> 10);
-    return std::ldexp(mantissa, static_cast<int>(random() % (2U * most)) - most - 53);
+    const auto exponents = static_cast<unsigned>(2 * most);
+    return std::ldexp(mantissa, static_cast<int>(random() % exponents) - most - 53);
   };
   for (int k = 0; k < 300000; ++k) {
     const int most = k % 2 == 0 ? 20 : 1060;
