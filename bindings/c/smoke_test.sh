@@ -61,7 +61,7 @@ example cmake 1 >CMakeLists.txt
 $cc sum.c $flags -o sum
 [ "$(./sum)" = "area 9" ] || fail "the first example of the README fails"
 $cc sum.c -I"$prefix/include" -L"$libdir" -lgcv -o plain
-$cc -static sum.c -I"$prefix/include" -L"$libdir" -lgcv -lgmp -lstdc++ -lm -o plain_static
+$cc -static sum.c -I"$prefix/include" -L"$libdir" -lgcv -lstdc++ -lm -o plain_static
 [ "$(./plain) $(./plain_static)" = "area 9 area 9" ] || fail "plain flags fail"
 
 example c 2 >files.c

@@ -1,37 +1,24 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Integers of any size: GMP's, or Boost's where there is no GMP. Both give the same values.
+// The largest integers: those of finite doubles of any magnitude.
+//
+// Finite doubles are integers on the grid of 2^-1074, of 2098 bits. No formula takes more than
+// 10 b + 22 bits for operands of b bits: so many compare two distances of crossings
+// (compare_distances). Numbers of that size lie on the stack, and take no heap memory. They have
+// 336 limbs of 64 bits: a product takes as many as both its factors, a sum one more than the larger
+// of its terms. What needed more would take heap memory, or throw std::bad_alloc.
+//
 // Heavy headers: include this in source files only.
 #pragma once
 
-#include <string>
-
-#ifdef GCV_GMP
-#include <boost/multiprecision/gmp.hpp>
-#else
 #include <boost/multiprecision/cpp_int.hpp>
-#endif
 
 namespace gcv {
 
-#ifdef GCV_GMP
-using BigIntegerBackend = boost::multiprecision::gmp_int;
-#else
-using BigIntegerBackend = boost::multiprecision::cpp_int_backend<>;
-#endif
-using BigInteger = boost::multiprecision::number<BigIntegerBackend, boost::multiprecision::et_off>;
+constexpr int bits_of_all_doubles = 2098;
+constexpr int big_integer_bits = 10 * bits_of_all_doubles + 22;
 
-// In decimal digits.
-inline std::string to_text(const BigInteger& value) {
-#ifdef GCV_GMP
-  // str() would leak GMP's text if there is no memory for a copy of it.
-  std::string text(mpz_sizeinbase(value.backend().data(), 10) + 2, '\0');
-  mpz_get_str(text.data(), 10, value.backend().data());
-  text.resize(text.find('\0'));
-  return text;
-#else
-  return value.str();
-#endif
-}
+using BigInteger = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<336 * 64>,
+                                                 boost::multiprecision::et_off>;
 
 }  // namespace gcv

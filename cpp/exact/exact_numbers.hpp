@@ -3,8 +3,8 @@
 // Exact numbers in integers of four widths. Every finite double is an integer multiple of a power
 // of two. So the operands of a predicate are integers on a common grid 2^exponent, and every
 // predicate is the sign of a polynomial in integers. The bits of the operands decide how wide the
-// integers must be: 128, 256 or 512 bits without heap memory, else of any size. One formula serves
-// all widths.
+// integers must be: 128, 256 or 512 bits, or as many as doubles of any magnitude need. One formula
+// serves all widths. None takes heap memory.
 //
 // Heavy headers: include this in source files only.
 #pragma once
@@ -178,6 +178,7 @@ auto with_integers(int bits, Tally& tally, Formula formula) {
     }
     return formula.template operator()<Int512>();
   }
+  assert(bits <= big_integer_bits);
   ++tally.rational;
   return formula.template operator()<BigInteger>();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The exact tier of the predicates: integers of a fixed width if these suffice, else GMP's. Names
-// and meanings are as in predicates.hpp.
+// The exact tier of the predicates, in integers. Names and meanings are as in predicates.hpp.
 #pragma once
 
 #include "point.hpp"

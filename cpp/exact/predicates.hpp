@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// The geometric predicates. They are exact for all finite doubles. Each has four tiers: a filter in
-// doubles with a proven error bound (see predicates.cpp), double-double, integers of fixed width,
-// GMP's integers.
+// The geometric predicates. They are exact for all finite doubles. Each has three tiers: a filter
+// in doubles with a proven error bound (see predicates.cpp), double-double, and integers.
 //
 // Axioms. orientation(p, q, r) = orientation(q, r, p) = -orientation(q, p, r). side and
 // compare_crossings do not change when the polygons are translated, if the translated vertices are

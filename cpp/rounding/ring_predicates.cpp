@@ -17,25 +17,6 @@ namespace gcv {
 
 namespace {
 
-// In decimal digits, without GMP.
-template <class Integer>
-std::string to_text(Integer value) {
-  const bool is_negative = sign(value) < 0;
-  if (is_negative) {
-    value = -value;
-  }
-  std::string text;
-  do {
-    text.push_back(static_cast<char>('0' + static_cast<int>(value % 10)));
-    value /= 10;
-  } while (sign(value) != 0);
-  if (is_negative) {
-    text.push_back('-');
-  }
-  std::reverse(text.begin(), text.end());
-  return text;
-}
-
 // n / w * 2^exponent, in lowest terms.
 template <class Integer>
 std::string fraction(Integer n, Integer w, int exponent) {
@@ -45,7 +26,7 @@ std::string fraction(Integer n, Integer w, int exponent) {
     w <<= -exponent;
   }
   const Integer divisor = gcd(n, w);
-  return to_text(Integer(n / divisor)) + "/" + to_text(Integer(w / divisor));
+  return Integer(n / divisor).str() + "/" + Integer(w / divisor).str();
 }
 
 // The side of the line on which the crossing of s and t lies. Nothing if it is too close to the

@@ -10,7 +10,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 
 install_packages() {
   local packages=(doxygen git python3-venv)
-  [ -n "${GCV_LIBRARY-}" ] || packages+=(cmake g++ ninja-build pkg-config libgmp-dev libboost-dev)
+  [ -n "${GCV_LIBRARY-}" ] || packages+=(cmake g++ ninja-build pkg-config libboost-dev)
   install_missing "${packages[@]}"
 }
 

@@ -12,7 +12,7 @@ build=$1
 shift
 
 cmake -S "$source" -B "$build" -G Ninja --toolchain "$here/mingw-w64.cmake" \
-  -DCMAKE_BUILD_TYPE=Release -DGCV_GMP=OFF -DGCV_BUILD_TESTS=OFF -DGCV_BUILD_EXAMPLES=OFF \
+  -DCMAKE_BUILD_TYPE=Release -DGCV_BUILD_TESTS=OFF -DGCV_BUILD_EXAMPLES=OFF \
   -DCMAKE_INSTALL_LIBDIR=lib -DCMAKE_INSTALL_DOCDIR=. "$@"
 cmake --build "$build" --target gcv gcv_static
 

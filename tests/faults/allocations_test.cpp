@@ -2,8 +2,8 @@
 //
 // For every call that takes memory, and for every n: the n-th allocation fails, alone or with
 // all after it. The call says so, writes nothing, gives back what it took, and does the same
-// as ever once there is memory again. What GMP takes never fails, but must be given back too. No
-// threads are given, so that all allocations come in the same order.
+// as ever once there is memory again. No threads
+// are given, so that all allocations come in the same order.
 #include <utility>
 
 #include "attempts.hpp"
@@ -223,7 +223,7 @@ void starve_polygons() {
   starve("gcv_polygon_create_disc", handle<gcv_polygon>([](gcv_polygon** out) {
            return gcv_polygon_create_disc(xy, 1, 0.01, GCV_ROUND_OUTWARD, out);
          }));
-  // Integers of more than 512 bits, for which GMP has to ask for memory.
+  // Integers of more than 512 bits.
   const Owner<gcv_polygon> plate = gcv::faults::read(wkt);
   for (const double tiny : {0.0, 0x1p-1074}) {
     starve("gcv_polygon_affine", handle<gcv_polygon>([&](gcv_polygon** out) {
@@ -249,7 +249,6 @@ void starve_polygons() {
 }  // namespace
 
 int main() {
-  gcv::faults::count_memory_of_gmp();
   starve_polygons();
   bool repaired = false;
   bool rational = false;

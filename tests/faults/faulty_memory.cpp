@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "faulty_memory.hpp"
 
-#include <gmp.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdlib>
@@ -87,17 +85,3 @@ void operator delete(void* block, const Quiet&) noexcept { release(block); }
 void operator delete[](void* block, const Quiet&) noexcept { release(block); }
 void operator delete(void* block, Alignment, const Quiet&) noexcept { release(block); }
 void operator delete[](void* block, Alignment, const Quiet&) noexcept { release(block); }
-
-namespace gcv::faults {
-
-void count_memory_of_gmp() {
-  mp_set_memory_functions(
-      [](std::size_t size) {
-        ++live;
-        return std::malloc(size);
-      },
-      [](void* block, std::size_t, std::size_t size) { return std::realloc(block, size); },
-      [](void* block, std::size_t) { release(block); });
-}
-
-}  // namespace gcv::faults

@@ -16,7 +16,4 @@ extern long faults_left;  // allocations that fail after these
 extern bool failed;
 extern bool failed_loudly;  // in an allocation that throws
 
-// What GMP takes counts as live, too.
-void count_memory_of_gmp();
-
 }  // namespace gcv::faults

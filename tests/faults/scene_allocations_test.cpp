@@ -304,7 +304,6 @@ void starve_lists() {
 }  // namespace
 
 int main() {
-  gcv::faults::count_memory_of_gmp();
   starve_handles();
   starve_changes();
   starve_growth();

@@ -46,7 +46,6 @@ fn find() {
         .build();
     println!("cargo:rustc-link-search=native={}/lib", prefix.display());
     println!("cargo:rustc-link-lib=static=gcv");
-    println!("cargo:rustc-link-lib=gmp");
     println!("cargo:rustc-link-lib=stdc++");
 }
 

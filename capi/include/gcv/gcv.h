@@ -33,13 +33,12 @@
  * changed by a call.
  *
  * Threads. Handles are immutable once created, but for scenes: any number of threads may use
- * one const handle at a time. Destroy a handle when no thread uses it any more.
+ * one const handle at a time. Destroy a handle when no thread uses it any more. A stack of
+ * 256 KB is enough for every call: numbers of all magnitudes take some 140 KB of it.
  *
  * Errors. Functions that can fail return a gcv_status. A function that fails writes
  * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
- * throws, prints, or keeps global state. There is one exception, which this library
- * cannot prevent: GMP ends the process when it cannot get memory for a number of
- * more than 512 bits.
+ * throws, prints, or keeps global state.
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
