@@ -156,7 +156,7 @@ static gcv_options reporting(struct reports *reports, int cancel_at, int32_t thr
 }
 
 static void progress_is_reported(void) {
-  gcv_polygon *large = star(2000, 3), *small = star(3, 4);
+  gcv_polygon *large = star(500, 3), *small = star(3, 4);
   struct reports reports;
   int32_t threads;
   for (threads = 1; threads <= 2; ++threads) {
