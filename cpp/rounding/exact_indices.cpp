@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/segment.hpp>
 #include <boost/geometry/index/rtree.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -39,16 +40,26 @@ class Scale {
   double size_;
 };
 
-// The smallest of the indices of the closest edges. The order of equally close ones in the tree is
-// that of the standard library's sorting.
+// The smallest of the indices of the closest edges. The tree gives some of equally close ones: so
+// it is asked for more, until one is further away.
 std::size_t first_of_closest(const Tree& tree, const TreePoint& p) {
-  auto edge = tree.qbegin(bg::index::nearest(p, static_cast<unsigned>(tree.size())));
-  const double distance = bg::comparable_distance(p, edge->first);
-  std::size_t first = edge->second;
-  for (++edge; edge != tree.qend() && bg::comparable_distance(p, edge->first) == distance; ++edge) {
-    first = std::min(first, edge->second);
+  std::vector<TreeEdge> edges;
+  for (unsigned count = 4;; count *= 4) {
+    edges.clear();
+    tree.query(bg::index::nearest(p, count), std::back_inserter(edges));
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0;
+    std::size_t first = 0;
+    for (const auto& [edge, index] : edges) {
+      const double distance = bg::comparable_distance(p, edge);
+      first = distance > least ? first : distance < least ? index : std::min(first, index);
+      least = std::min(least, distance);
+      most = std::max(most, distance);
+    }
+    if (most > least || edges.size() < count) {
+      return first;
+    }
   }
-  return first;
 }
 
 }  // namespace
