@@ -26,6 +26,13 @@ void Task::advance(std::uint64_t steps, std::uint64_t parts) {
   check();
 }
 
+void Task::poll() {
+  if (std::this_thread::get_id() == caller_) {
+    tell(estimate());
+  }
+  check();
+}
+
 void Task::watch() {
   if (done_ - reported_ >= steps_a_report_) {
     tell(estimate());

@@ -32,6 +32,10 @@ class Task {
   // cancelled, on every thread once the caller has cancelled.
   void advance(std::uint64_t steps, std::uint64_t parts = 0);
 
+  // Asks the caller whether to go on, where a step takes long. Any thread may call it. Throws
+  // Error: cancelled.
+  void poll();
+
   // Reports the steps of other threads. The calling thread calls it while it waits for them.
   void watch();
 

@@ -13,8 +13,6 @@
 
 namespace gcv {
 
-namespace {}  // namespace
-
 Point way_to(const FreePlace& place, const Point& from, Tally& tally) {
   return nearest_point(place.point, negated(from), tally);
 }

@@ -64,7 +64,8 @@ std::size_t first_of_closest(const Tree& tree, const TreePoint& p) {
 
 }  // namespace
 
-std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointVector& points) {
+std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointVector& points,
+                                       Task& task) {
   std::vector<std::size_t> by_place(ring.size());
   for (std::size_t k = 0; k < ring.size(); ++k) {
     by_place[k] = k;
@@ -77,6 +78,9 @@ std::vector<std::size_t> closest_edges(std::span<const Point> ring, const PointV
   std::vector<std::size_t> indices;
   indices.reserve(points.size());
   for (const Point& p : points) {
+    if (indices.size() % Task::portion == Task::portion - 1) {
+      task.poll();
+    }
     const auto equal = std::lower_bound(
         by_place.begin(), by_place.end(), p,
         [&](std::size_t k, const Point& q) { return lexicographically_less(ring[k], q); });
@@ -100,7 +104,7 @@ std::vector<std::uint64_t> exact_indices(const ExactRing& exact, const RoundedRi
   Task task;
   Tally tally;
   const Placement placement = place_nearest(exact, task, tally);
-  const std::vector<std::size_t> indices = closest_edges(placement.places, rounded.vertices);
+  const std::vector<std::size_t> indices = closest_edges(placement.places, rounded.vertices, task);
   return {indices.begin(), indices.end()};
 }
 

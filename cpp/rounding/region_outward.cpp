@@ -284,7 +284,7 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
                         region.vertices.begin() + static_cast<std::ptrdiff_t>(size));
   const RoundedRing ring = round_outward(outer, outer_face_of, task, tally);
   const Placement placement = place_nearest(outer, task, tally);
-  replace_first_ring(ring.vertices, closest_edges(placement.places, ring.vertices), safe);
+  replace_first_ring(ring.vertices, closest_edges(placement.places, ring.vertices, task), safe);
   safe.error_bound = std::max(safe.error_bound, ring.error_bound);
   add_exact_fits(region, tally, safe);
   return safe;

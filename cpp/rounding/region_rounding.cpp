@@ -54,7 +54,7 @@ RoundedRegion round_outer_face(const ExactRegion& region, Task& task, Tally& tal
     rounded.vertices_repaired = placement.repaired;
   } else {
     RoundedRing ring = gcv::round_to_nearest(static_cast<const ExactRing&>(region), task, tally);
-    const std::vector<std::size_t> indices = closest_edges(placement.places, ring.vertices);
+    const std::vector<std::size_t> indices = closest_edges(placement.places, ring.vertices, task);
     rounded.exact_indices.assign(indices.begin(), indices.end());
     rounded.vertices = std::move(ring.vertices);
     rounded.error_bound = ring.error_bound;
@@ -160,7 +160,7 @@ class RegionRounder {
   void add_replaced(const RoundingRing& ring, RoundedRegion& rounded) const {
     const RegionPart& part = *ring.part;
     const std::span<const Point> exact = std::span(rings_.nearest).subspan(part.first, part.size);
-    for (const std::size_t index : closest_edges(exact, *ring.replaced)) {
+    for (const std::size_t index : closest_edges(exact, *ring.replaced, task_)) {
       rounded.exact_indices.push_back(part.first + index);
     }
     rounded.vertices.insert(rounded.vertices.end(), ring.replaced->begin(), ring.replaced->end());

@@ -161,6 +161,7 @@ void WitnessSearch::activate(double to) {
 }
 
 void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
+  ++visits_;
   const Family children = family(nodes);
   const Ranges all = ranges(children);
   const bool other_is_edge = children.of_other.extent[ChordTree::lane_of(children.other)] < 0;

@@ -42,8 +42,8 @@ class WitnessSearch {
 
   // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the
   // half-plane that begins with a rank: from that on counter-clockwise, without the opposite rank.
-  // Passes over those that lie in witnesses that were found until then. Calls pass(pairs) with the
-  // number of pairs of edges that it is done with; in all, that is all of them.
+  // Passes over those that lie in witnesses that were found until then. Calls pass(pairs) after
+  // each step with the number of pairs of edges that it is done with; in all, that is all of them.
   template <class Visit, class Pass>
   void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
 
@@ -53,6 +53,8 @@ class WitnessSearch {
   }
 
   [[nodiscard]] double slack() const { return slack_; }
+  // How many nodes were expanded on the way along lines.
+  [[nodiscard]] std::uint64_t visits() const { return visits_; }
 
  private:
   struct Nodes {
@@ -136,6 +138,8 @@ class WitnessSearch {
   std::vector<NearPair> near_pairs_;
   std::vector<Pair> pairs_;
 
+  std::uint64_t visits_ = 0;
+
   CoveredCells cells_;
   std::optional<Witness> last_;  // that was found
 };
@@ -167,6 +171,7 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
             stack.push_back(children.nodes(lane));
           }
         }
+        pass(std::uint64_t{0});
         continue;
       }
       const Index i = a_.below(nodes.a);

@@ -34,7 +34,7 @@ class Finder {
 
   // A ring that lives as long as this.
   void add_outer(const std::vector<RingVertex>& ring) {
-    runs_.add(ring);
+    runs_.add(ring, task_);
     outer_ = &ring;
   }
 
@@ -59,7 +59,7 @@ class Finder {
       steps_ += ring.walk->steps;
       candidates_ = ring.walk->candidates;  // of all rings so far
       add_known(ring.walk->vertices);
-      runs_.add(ring.walk->vertices);
+      runs_.add(ring.walk->vertices, task_);
       rings_.push_back(std::move(ring.walk->vertices));
     }
     return ring.leaves;
@@ -144,8 +144,13 @@ class Progress {
         steps_a_pair_(static_cast<double>(estimated_cover_steps(operands.a, operands.b)) /
                       (static_cast<double>(operands.a.size()) * operands.b.size())) {}
 
-  void pass(std::uint64_t pairs, std::uint64_t steps_along_rings) {
+  // After a step of the search, when it had so many visits.
+  void pass(std::uint64_t pairs, std::uint64_t visits, std::uint64_t steps_along_rings) {
     pairs_ += pairs;
+    if (++searched_ + visits >= next_poll_) {
+      task_.poll();
+      next_poll_ = searched_ + visits + work_a_poll;
+    }
     const auto target = static_cast<std::uint64_t>(static_cast<double>(pairs_) * steps_a_pair_);
     const std::uint64_t done = told_ + steps_along_rings;
     if (target >= done + Task::portion) {
@@ -155,8 +160,13 @@ class Progress {
   }
 
  private:
+  // Steps of the search and visits, each of which takes less than a microsecond.
+  static constexpr std::uint64_t work_a_poll = 1U << 14;
+
   Task& task_;
   double steps_a_pair_;
+  std::uint64_t searched_ = 0;
+  std::uint64_t next_poll_ = work_a_poll;
   std::uint64_t pairs_ = 0;
   std::uint64_t told_ = 0;
 };
@@ -165,9 +175,9 @@ class Progress {
 void walk_half_plane(const Operands& operands, EdgeCover& cover, Finder& finder, Task& task,
                      Counts& counts) {
   Progress progress(operands, task);
-  const std::uint64_t edges =
-      cover.walk_half_plane(cheapest_half_plane(operands), finder,
-                            [&](std::uint64_t pairs) { progress.pass(pairs, finder.steps()); });
+  const std::uint64_t edges = cover.walk_half_plane(
+      cheapest_half_plane(operands), finder,
+      [&](std::uint64_t pairs) { progress.pass(pairs, cover.search().visits(), finder.steps()); });
   counts.candidate_edges += edges + finder.candidates();
   counts.walk_steps += finder.steps();
   counts.predicates += finder.tally();

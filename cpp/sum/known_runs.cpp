@@ -15,8 +15,11 @@ KnownRuns::KnownRuns(const Operands& operands, double slack, Tally& tally)
       directions_(2 * std::size_t{operands.directions.half_turn}),
       lines_(operands, slack, tally) {}
 
-void KnownRuns::add(const std::vector<RingVertex>& ring) {
+void KnownRuns::add(const std::vector<RingVertex>& ring, Task& task) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
+    if (k % Task::portion == Task::portion - 1) {
+      task.poll();
+    }
     const auto number = static_cast<std::uint32_t>(runs_.size());
     const Run run{ring[k], ring[k + 1 < ring.size() ? k + 1 : 0]};
     Direction& direction = directions_[edge_of(run).rank];

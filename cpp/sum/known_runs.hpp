@@ -8,6 +8,7 @@
 #include "edge_lines.hpp"
 #include "exact_ring.hpp"
 #include "tally.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -25,7 +26,7 @@ class KnownRuns {
     RingVertex to;
   };
 
-  void add(const std::vector<RingVertex>& ring);
+  void add(const std::vector<RingVertex>& ring, Task& task);
 
   // Calls visit(run) for the runs on the line of the edge that come near it.
   template <class Visit>

@@ -201,6 +201,20 @@ static void estimate_of_a_region_lasts(void) {
   gcv_polygon_destroy(large);
 }
 
+/* Spikes cost far more than their few pairs of edges tell. Still the caller may cancel in between.
+ */
+static void a_region_asks_often(void) {
+  gcv_polygon *a = star(200, 3), *b = star(200, 5);
+  gcv_region *region = NULL;
+  struct reports reports;
+  gcv_options options = reporting(&reports, 0, 1);
+  CHECK_OK(gcv_minkowski_sum_region(a, b, &options, &region));
+  CHECK(reports.count >= 16 && !reports.wrong);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 /* Two stars have far more steps than vertices. Still a bar goes on evenly, and ends with the work.
  */
 static void share_of_a_sum_is_even(void) {
@@ -449,6 +463,7 @@ int main(void) {
   threads_are_checked();
   progress_is_reported();
   estimate_of_a_region_lasts();
+  a_region_asks_often();
   share_of_a_sum_is_even();
   many();
   regions();

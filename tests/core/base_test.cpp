@@ -227,6 +227,21 @@ TEST(Task, EstimatesByParts) {
   EXPECT_EQ(caller.reports.back(), std::pair(4 * portion, 4 * portion));
 }
 
+// Where steps take long the caller is asked in between.
+TEST(Task, Polls) {
+  Caller caller;
+  caller.last = 4;
+  Task task(1, Caller::report, &caller);
+  task.begin(2 * portion);
+  task.poll();
+  task.advance(1);
+  task.poll();
+  EXPECT_EQ(caller.reports, (Reports{{0, 2 * portion}, {0, 2 * portion}, {1, 2 * portion}}));
+  EXPECT_EQ(status_of([&] { task.poll(); }), Status::cancelled);
+  EXPECT_EQ(status_of([&] { task.poll(); }), Status::cancelled);
+  EXPECT_EQ(caller.reports.size(), 4U);
+}
+
 // Too high an estimate is corrected in the end.
 TEST(Task, FinishesWithWhatWasDone) {
   Caller caller;
