@@ -132,8 +132,8 @@ gcv_status gcv_polygon_create(const double* xy, size_t vertex_count, size_t stri
   return guarded([&] {
     require(xy, "xy");
     require(out, "out");
-    *out = new_polygon(
-        make_polygon(VertexReader(xy, stride_bytes).read(vertex_count, "vertex_count"), "polygon"));
+    *out = new_polygon(std::make_shared<const gcv::Polygon>(
+        VertexReader(xy, stride_bytes).read(vertex_count, "vertex_count"), "polygon"));
   });
 }
 
@@ -167,7 +167,8 @@ gcv_status gcv_polygon_create_many(const double* xy, const size_t* sizes, size_t
     std::optional<Error> first_failure;
     for (std::size_t k = 0; k < count; ++k) {
       try {
-        made[k].polygon.reset(new_polygon(make_polygon(reader.peek(sizes[k], "size"), "polygon")));
+        made[k].polygon.reset(new_polygon(
+            std::make_shared<const gcv::Polygon>(reader.peek(sizes[k], "size"), "polygon")));
       } catch (...) {
         const Error error = gcv::current_error();
         made[k].status = error.status();

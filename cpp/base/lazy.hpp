@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -9,7 +10,7 @@ namespace gcv {
 
 // A value that is made on first use. It is made once, by the first thread that asks; other threads
 // wait. So an object with such a part does not change for its users. A copy starts without the
-// value.
+// value. Takes a pointer until it is asked for.
 template <class Value>
 class Lazy {
  public:
@@ -17,30 +18,51 @@ class Lazy {
   Lazy(const Lazy& /*other*/) {}
   Lazy& operator=(const Lazy& other) {
     if (this != &other) {
-      is_made_ = false;
-      value_.reset();
+      delete place_.exchange(nullptr);
     }
     return *this;
   }
-  ~Lazy() = default;
+  ~Lazy() { delete place_.load(std::memory_order_acquire); }
 
   // Returns the value. The first call makes it with make().
   template <class Make>
   const Value& get(Make make) const {
-    if (!is_made_.load(std::memory_order_acquire)) {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      if (!value_) {
-        value_.emplace(make());
-        is_made_.store(true, std::memory_order_release);
-      }
-    }
-    return *value_;
+    const Place* const place = place_.load(std::memory_order_acquire);
+    return place != nullptr && place->is_made.load(std::memory_order_acquire)
+               ? *place->value
+               : value_in(shared_place(), make);
   }
 
  private:
-  mutable std::mutex mutex_;
-  mutable std::atomic<bool> is_made_{false};
-  mutable std::optional<Value> value_;
+  struct Place {
+    std::mutex mutex;
+    std::atomic<bool> is_made{false};
+    std::optional<Value> value;
+  };
+
+  // The place of all threads that ask, the first one's.
+  Place& shared_place() const {
+    Place* place = place_.load(std::memory_order_acquire);
+    if (place == nullptr) {
+      auto made = std::make_unique<Place>();
+      if (place_.compare_exchange_strong(place, made.get())) {
+        place = made.release();
+      }
+    }
+    return *place;
+  }
+
+  template <class Make>
+  static const Value& value_in(Place& place, Make make) {
+    const std::lock_guard<std::mutex> lock(place.mutex);
+    if (!place.value) {
+      place.value.emplace(make());
+      place.is_made.store(true, std::memory_order_release);
+    }
+    return *place.value;
+  }
+
+  mutable std::atomic<Place*> place_{nullptr};
 };
 
 }  // namespace gcv

@@ -222,10 +222,10 @@ const ChainIndex& Boundary::index() const {
 }
 
 const Boundary::CoverIndex& Boundary::cover_index() const {
-  return *cover_index_.get([this] {
-    return std::make_unique<const CoverIndex>(CoverIndex{
-        build_chord_tree(relative_chain(), layout),
-        solids.empty() ? Touches(vertices, layout) : touches_of_solids(), solid_boxes()});
+  return cover_index_.get([this] {
+    return CoverIndex{build_chord_tree(relative_chain(), layout),
+                      solids.empty() ? Touches(vertices, layout) : touches_of_solids(),
+                      solid_boxes()};
   });
 }
 

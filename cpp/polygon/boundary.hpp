@@ -137,7 +137,7 @@ struct Boundary {
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
-  Lazy<std::unique_ptr<const CoverIndex>> cover_index_;
+  Lazy<CoverIndex> cover_index_;
 
   [[nodiscard]] EdgeChain relative_chain() const;
   [[nodiscard]] Touches touches_of_solids() const;

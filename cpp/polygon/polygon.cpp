@@ -88,9 +88,7 @@ std::vector<const Boundary*> rings_of(const Polygon& polygon) {
   return rings;
 }
 
-Polygon make_polygon(PointVector boundary, const char* name) {
-  return Polygon(make_ring(std::move(boundary), name));
-}
+Polygon make_polygon(PointVector boundary, const char* name) { return {std::move(boundary), name}; }
 
 Polygon make_polygon(std::vector<PointVector> boundaries, const char* name) {
   std::size_t first_number = 0;

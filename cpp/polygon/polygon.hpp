@@ -17,6 +17,8 @@ namespace gcv {
 
 struct Polygon {
   explicit Polygon(Boundary outer_ring) : outer(std::move(outer_ring)) {}
+  // Of one ring. Throws Error: as make_ring().
+  Polygon(PointVector vertices, const char* name) : outer(make_ring(std::move(vertices), name)) {}
 
   Boundary outer;
   std::vector<Boundary> holes;  // in the caller's order
@@ -26,9 +28,7 @@ struct Polygon {
   [[nodiscard]] const Boundary& ring(std::size_t k) const { return k == 0 ? outer : holes[k - 1]; }
   // All rings as one, made when it is first asked for.
   [[nodiscard]] const Boundary& boundary() const {
-    return holes.empty()
-               ? outer
-               : *boundary_.get([this] { return std::make_unique<const Boundary>(all_rings()); });
+    return holes.empty() ? outer : boundary_.get([this] { return all_rings(); });
   }
 
   // The reflection { -p : p in the polygon }, ring by ring, with the same numbers. Keeps the
@@ -37,7 +37,7 @@ struct Polygon {
 
  private:
   std::shared_ptr<const Polygon> mirror_;  // the polygon that this one reflects
-  Lazy<std::unique_ptr<const Boundary>> boundary_;
+  Lazy<Boundary> boundary_;
 
   [[nodiscard]] Boundary all_rings() const;
 };
