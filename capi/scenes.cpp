@@ -87,8 +87,8 @@ gcv_status gcv_scene_add(gcv_scene* scene, const gcv_polygon* const* polygons,
     require(polygons, "polygons");
     require(positions, "positions");
     require(ids, "ids");
-    const gcv::Id first =
-        scene->scene.add(polygons_of(polygons, count), points_of(positions, count));
+    const std::vector<Point> points = points_of(positions, count);
+    const gcv::Id first = scene->scene.add(polygons_of(polygons, count), points);
     for (std::size_t k = 0; k < count; ++k) {
       ids[k] = first + k;
     }
@@ -103,8 +103,9 @@ gcv_status gcv_scene_set(gcv_scene* scene, const uint64_t* ids, const gcv_polygo
       return;
     }
     require(ids, "ids");
+    const std::vector<Point> points = points_of(positions, positions == nullptr ? 0 : count);
     scene->scene.set(std::span(ids, count), polygons_of(polygons, polygons == nullptr ? 0 : count),
-                     points_of(positions, positions == nullptr ? 0 : count));
+                     points);
   });
 }
 
