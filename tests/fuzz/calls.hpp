@@ -120,18 +120,20 @@ class Caller {
     return status == GCV_OK;
   }
 
-  // call(&out) gives a new handle for a slot, or leaves `out` alone.
+  // call(&out) gives a new handle for a slot, or leaves `out` alone. Gives the handle, or NULL.
   template <class Handle, class Call>
-  void make(const char* name, Slots<Handle>& slots, Faults& faults, Statuses others, Call call) {
+  Handle* make(const char* name, Slots<Handle>& slots, Faults& faults, Statuses others, Call call) {
     static Handle* const nothing = reinterpret_cast<Handle*>(&slots);
     auto& slot = slots[input_.below(slots.size())];
     Handle* out = nothing;
     const bool well =
         judge(name, call(faults.pointer(input_.below(16) == 0 ? nullptr : &out)), faults, others);
     check(well ? out != nothing && out != nullptr : out == nothing, "a handle or not?");
-    if (well) {
-      slot.reset(out);
+    if (!well) {
+      return nullptr;
     }
+    slot.reset(out);
+    return out;
   }
 
   // call(out) writes `count` numbers to out, or none.

@@ -81,6 +81,8 @@ struct Destroy {
   void operator()(gcv_superset* superset) const { gcv_superset_destroy(superset); }
   void operator()(gcv_region* region) const { gcv_region_destroy(region); }
   void operator()(gcv_contact_list* list) const { gcv_contact_list_destroy(list); }
+  void operator()(gcv_scene* scene) const { gcv_scene_destroy(scene); }
+  void operator()(gcv_pair_list* list) const { gcv_pair_list_destroy(list); }
 };
 
 using Polygon = std::unique_ptr<gcv_polygon, Destroy>;

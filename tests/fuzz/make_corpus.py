@@ -6,6 +6,8 @@ import random
 import struct
 from pathlib import Path
 
+from scene_call_bytes import scene_calls
+
 CORPUS = Path(__file__).parent / "corpus"
 
 # The first byte of a polygon, as fuzz_polygons.cpp reads it.
@@ -590,7 +592,7 @@ def scenes() -> dict[str, bytes]:
 
 for target, inputs in (
     ("polygons", polygons()),
-    ("calls", calls()),
+    ("calls", {**calls(), **scene_calls()}),
     ("questions", questions()),
     ("scenes", scenes()),
     ("regions", regions()),

@@ -59,10 +59,10 @@ class QuestionCalls : protected RegionCalls {
   }
 
   void listed_contacts() {
-    list_of<gcv_contact>("gcv_contact_list_contacts", gcv_contact_list_contacts);
+    list_of<gcv_contact>("gcv_contact_list_contacts", lists_, gcv_contact_list_contacts);
   }
   void listed_indices() {
-    list_of<std::uint64_t>("gcv_contact_list_previous", gcv_contact_list_previous);
+    list_of<std::uint64_t>("gcv_contact_list_previous", lists_, gcv_contact_list_previous);
   }
 
   void destroy_contacts() {
@@ -70,7 +70,6 @@ class QuestionCalls : protected RegionCalls {
     gcv_contact_list_destroy(nullptr);
   }
 
- private:
   // A number that must not be negative.
   double size(Faults& faults) {
     const double x = input_.below(8) == 0 ? -number() : number();
@@ -79,33 +78,27 @@ class QuestionCalls : protected RegionCalls {
     return x;
   }
 
+  // A list that belongs to a list of contacts.
   template <class Element, class Function>
-  void list_of(const char* name, Function function) {
+  void list_of(const char* name, const Slots<gcv_contact_list>& lists, Function function) {
     Faults faults;
-    const gcv_contact_list* const list = pick(lists_, faults);
+    const gcv_contact_list* const list = pick(lists, faults);
     fill<Element>(name, faults, [&](Element* out, std::size_t capacity, std::size_t* required) {
       return function(list, out, capacity, required);
     });
   }
 
-  struct Question {
-    const gcv_polygon* a;
-    const gcv_polygon* b;
-    const double* translations;
-    std::size_t count;
-    const gcv_options* options;
-    Faults* faults;
-  };
-
-  // Some vectors, finite or not; or NULL, which is no fault where there are none.
+  // Some vectors, finite or not; or NULL, which is no fault where there are none. Of SIZE_MAX,
+  // which is beyond all memory, there is none.
   class Vectors {
    public:
-    Vectors(QuestionCalls& calls, std::size_t count, Faults& faults) : xy_(2 * count + 1) {
-      for (std::size_t k = 0; k < 2 * count; ++k) {
+    Vectors(QuestionCalls& calls, std::size_t count, Faults& faults)
+        : xy_(count == SIZE_MAX ? 1 : 2 * count + 1) {
+      for (std::size_t k = 0; k + 1 < xy_.size(); ++k) {
         xy_[k] = calls.number();
         faults.add_if(!std::isfinite(xy_[k]), GCV_ERR_NOT_FINITE);
       }
-      is_null_ = calls.input_.below(16) == 0;
+      is_null_ = calls.input_.below(16) == 0 || count == SIZE_MAX;
       faults.add_if(is_null_ && count > 0, GCV_ERR_NULL_ARGUMENT);
     }
 
@@ -114,6 +107,36 @@ class QuestionCalls : protected RegionCalls {
    private:
     std::vector<double> xy_;
     bool is_null_;
+  };
+
+  // call(out) writes `count` answers to `out`, or nothing. Gives what was written.
+  template <class Result, class Call>
+  std::vector<Result> answers(const char* name, std::size_t count, Faults& faults, Statuses others,
+                              Call call) {
+    const bool is_huge = count == SIZE_MAX;  // beyond all memory
+    Bytes bytes((is_huge ? 0 : count * sizeof(Result)) + sentinels, untouched_byte);
+    const bool is_null = input_.below(16) == 0 || is_huge;
+    Result* const out = is_null ? nullptr : reinterpret_cast<Result*>(bytes.data());
+    faults.add_if(is_null && count > 0, GCV_ERR_NULL_ARGUMENT);
+    const gcv_status status = call(out);
+    const bool well = judge(name, status, faults, others);
+    std::vector<Result> results(well && !is_null ? count : 0);
+    check(untouched(bytes, results.size() * sizeof(Result)),
+          std::string(name) + " writes where it must not");
+    if (!results.empty()) {
+      std::memcpy(results.data(), bytes.data(), results.size() * sizeof(Result));
+    }
+    return results;
+  }
+
+ private:
+  struct Question {
+    const gcv_polygon* a;
+    const gcv_polygon* b;
+    const double* translations;
+    std::size_t count;
+    const gcv_options* options;
+    Faults* faults;
   };
 
   // call(question, out) answers for every translation, or writes nothing.
@@ -125,14 +148,9 @@ class QuestionCalls : protected RegionCalls {
     const Options options(input_, faults, use);
     const std::size_t count = input_.below(5);
     const Vectors translations(*this, count, faults);
-    Bytes bytes(count * sizeof(Result) + sentinels, untouched_byte);
-    Result* const out = input_.below(16) == 0 ? nullptr : reinterpret_cast<Result*>(bytes.data());
-    faults.add_if(out == nullptr && count > 0, GCV_ERR_NULL_ARGUMENT);
-    const gcv_status status =
-        call(Question{a, b, translations.get(), count, options.get(), &faults}, out);
-    const bool well = judge(name, status, faults, others);
-    const std::size_t written = well && out != nullptr ? count * sizeof(Result) : 0;
-    check(untouched(bytes, written), std::string(name) + " writes where it must not");
+    answers<Result>(name, count, faults, others, [&](Result* out) {
+      return call(Question{a, b, translations.get(), count, options.get(), &faults}, out);
+    });
   }
 };
 

@@ -7,13 +7,13 @@
 #include <cmath>
 #include <vector>
 
-#include "calls.hpp"
+#include "polygon_calls.hpp"
 
 namespace gcv::fuzz {
 
-class RegionCalls : protected Caller {
+class RegionCalls : protected PolygonCalls {
  protected:
-  using Caller::Caller;
+  using PolygonCalls::PolygonCalls;
 
   void sum_region() {
     Faults faults;
