@@ -11,6 +11,7 @@
 #include "contact.hpp"
 #include "error.hpp"
 #include "gcv/gcv.h"
+#include "guard.hpp"
 #include "point.hpp"
 
 namespace gcv::capi {
@@ -18,13 +19,9 @@ namespace gcv::capi {
 // `count` vectors of the caller: x0 y0 x1 y1 ...
 class Vectors {
  public:
-  // Throws Error: not_finite, with the name and the number of the vector; invalid_argument for more
-  // than an array can hold.
+  // Throws Error: not_finite, with the name and the number of the vector; as require_count().
   Vectors(const double* xy, std::size_t count, const char* name) : xy_(xy) {
-    constexpr std::size_t most = PTRDIFF_MAX / sizeof(Point);
-    if (count > most) {
-      throw Error(Status::invalid_argument, "%s: %zu are more than an array can hold", name, count);
-    }
+    require_count(count, sizeof(Point), name);
     for (std::size_t k = 0; k < count; ++k) {
       const Point p = (*this)[k];
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) {

@@ -90,4 +90,11 @@ inline void require(const void* pointer, const char* name) {
   }
 }
 
+// Throws Error: invalid_argument for more elements of that size than an array can hold.
+inline void require_count(std::size_t count, std::size_t size, const char* name) {
+  if (count > PTRDIFF_MAX / size) {
+    throw Error(Status::invalid_argument, "%s: %zu are more than an array can hold", name, count);
+  }
+}
+
 }  // namespace gcv::capi

@@ -119,7 +119,8 @@ gcv_status gcv_outer_face_polygon(const gcv_outer_face* face, gcv_polygon** out)
   return guarded([&] {
     require(face, "face");
     require(out, "out");
-    *out = gcv::capi::new_polygon(gcv::make_polygon(face->face.rounded.vertices, "polygon"));
+    *out = gcv::capi::new_polygon(
+        std::make_shared<const gcv::Polygon>(face->face.rounded.vertices, "polygon"));
   });
 }
 

@@ -38,6 +38,7 @@ struct CallersPairs {
   void require_all() const {
     require(a, names().a);
     require(b, names().b);
+    require_count(count, sizeof(Point), "count");
     if (are_no_fits) {
       require(references, "references");
     }

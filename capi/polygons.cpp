@@ -34,6 +34,7 @@ using gcv::capi::give_finite;
 using gcv::capi::guarded;
 using gcv::capi::new_polygon;
 using gcv::capi::require;
+using gcv::capi::require_count;
 
 namespace {
 
@@ -82,6 +83,7 @@ class VertexReader {
 
 std::vector<PointVector> read_rings(const double* xy, std::size_t stride, const size_t* sizes,
                                     std::size_t count) {
+  require_count(count, sizeof *sizes, "ring_sizes");
   VertexReader reader(xy, stride);
   std::size_t vertices = 0;
   for (std::size_t k = 0; k < count; ++k) {
@@ -102,6 +104,7 @@ std::vector<PointVector> read_rings(const double* xy, std::size_t stride, const 
 
 // Polygons behind more vertices than memory can hold are nowhere.
 void check_sizes(const VertexReader& reader, const size_t* sizes, std::size_t count) {
+  require_count(count, sizeof *sizes, "sizes");
   std::size_t vertices = 0;
   for (std::size_t k = 0; k < count; ++k) {
     if (!reader.fits_memory(sizes[k]) || !reader.fits_memory(vertices += sizes[k])) {

@@ -33,6 +33,7 @@ using gcv::capi::fill_text;
 using gcv::capi::give_finite;
 using gcv::capi::guarded;
 using gcv::capi::require;
+using gcv::capi::require_count;
 
 namespace {
 
@@ -112,6 +113,7 @@ void write_owners(const gcv::Region& region, std::uint64_t* to) {
 }
 
 std::vector<Point> read_points(const double* xy, std::size_t count) {
+  require_count(count, sizeof(Point), "xy");
   std::vector<Point> points(count);
   for (std::size_t k = 0; k < count; ++k) {
     const Point p{xy[2 * k], xy[2 * k + 1]};

@@ -41,6 +41,7 @@ Query read_query(const gcv_query* query) {
                 query->ignore_count);
   }
   result.layers = query->layers;
+  require_count(query->ignore_count, sizeof *query->ignore, "query: ignore");
   result.ignored.assign(query->ignore, query->ignore + query->ignore_count);
   std::sort(result.ignored.begin(), result.ignored.end());
   result.ignored.erase(std::unique(result.ignored.begin(), result.ignored.end()),
@@ -63,6 +64,7 @@ using gcv::capi::public_contact;
 using gcv::capi::read_options;
 using gcv::capi::read_query;
 using gcv::capi::require;
+using gcv::capi::require_count;
 using gcv::capi::require_finite;
 using gcv::capi::translations_a_report;
 using gcv::capi::Vectors;

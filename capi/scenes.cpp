@@ -25,6 +25,7 @@ using gcv::Status;
 using gcv::capi::fill;
 using gcv::capi::guarded;
 using gcv::capi::require;
+using gcv::capi::require_count;
 using gcv::capi::Vectors;
 
 std::vector<std::shared_ptr<const Polygon>> polygons_of(const gcv_polygon* const* polygons,
@@ -40,7 +41,14 @@ std::vector<std::shared_ptr<const Polygon>> polygons_of(const gcv_polygon* const
   return result;
 }
 
-// Throws Error: not_finite, with the number of the position.
+// Throws Error: null_argument; as require_count().
+std::span<const gcv::Id> ids_of(const std::uint64_t* ids, std::size_t count) {
+  require(ids, "ids");
+  require_count(count, sizeof *ids, "ids");
+  return {ids, count};
+}
+
+// Throws Error: as Vectors.
 std::vector<Point> points_of(const double* positions, std::size_t count) {
   const Vectors vectors(positions, count, "positions");
   std::vector<Point> result;
@@ -102,10 +110,9 @@ gcv_status gcv_scene_set(gcv_scene* scene, const uint64_t* ids, const gcv_polygo
     if (count == 0) {
       return;
     }
-    require(ids, "ids");
-    const std::vector<Point> points = points_of(positions, positions == nullptr ? 0 : count);
-    scene->scene.set(std::span(ids, count), polygons_of(polygons, polygons == nullptr ? 0 : count),
-                     points);
+    const std::span<const gcv::Id> members = ids_of(ids, count);
+    scene->scene.set(members, polygons_of(polygons, polygons == nullptr ? 0 : count),
+                     points_of(positions, positions == nullptr ? 0 : count));
   });
 }
 
@@ -116,9 +123,9 @@ gcv_status gcv_scene_set_layers(gcv_scene* scene, const uint64_t* ids, const uin
     if (count == 0) {
       return;
     }
-    require(ids, "ids");
+    const std::span<const gcv::Id> members = ids_of(ids, count);
     require(layers, "layers");
-    scene->scene.set_layers(std::span(ids, count), std::span(layers, count));
+    scene->scene.set_layers(members, std::span(layers, count));
   });
 }
 
@@ -128,8 +135,7 @@ gcv_status gcv_scene_remove(gcv_scene* scene, const uint64_t* ids, size_t count)
     if (count == 0) {
       return;
     }
-    require(ids, "ids");
-    scene->scene.remove(std::span(ids, count));
+    scene->scene.remove(ids_of(ids, count));
   });
 }
 
@@ -153,9 +159,9 @@ gcv_status gcv_scene_positions(const gcv_scene* scene, const uint64_t* ids, size
     if (count == 0) {
       return;
     }
-    require(ids, "ids");
+    const std::span<const gcv::Id> members = ids_of(ids, count);
     require(xy, "xy");
-    const std::vector<Point> positions = scene->scene.positions(std::span(ids, count));
+    const std::vector<Point> positions = scene->scene.positions(members);
     for (std::size_t k = 0; k < count; ++k) {
       xy[2 * k] = positions[k].x;
       xy[2 * k + 1] = positions[k].y;

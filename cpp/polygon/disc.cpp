@@ -143,7 +143,7 @@ Polygon make_disc(const Point& centre, double radius, double tolerance, Rounding
     if (distance + room <= radius + tolerance) {
       PointVector vertices = vertices_at(disc, halvings, distance);
       if (is_within(disc, vertices)) {
-        Polygon polygon = make_polygon(std::move(vertices), "disc");
+        Polygon polygon(std::move(vertices), "disc");
         if (polygon.outer.is_convex) {
           return polygon;
         }

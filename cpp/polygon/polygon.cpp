@@ -88,8 +88,6 @@ std::vector<const Boundary*> rings_of(const Polygon& polygon) {
   return rings;
 }
 
-Polygon make_polygon(PointVector boundary, const char* name) { return {std::move(boundary), name}; }
-
 Polygon make_polygon(std::vector<PointVector> boundaries, const char* name) {
   std::size_t first_number = 0;
   return polygon_of(boundaries.size(), name, [&](std::size_t k, const char* ring_name) {

@@ -45,9 +45,6 @@ struct Polygon {
 // All of its rings, the outer one first.
 std::vector<const Boundary*> rings_of(const Polygon& polygon);
 
-// The polygon of one ring. Throws Error: as make_ring().
-Polygon make_polygon(PointVector boundary, const char* name);
-
 // The polygon of the given boundaries, the outer one first, at least one. The caller's numbers of
 // vertices run through all of them. Rings may touch one another in points, but not cross or
 // overlap; holes lie in the outer ring and outside one another.

@@ -59,8 +59,7 @@ std::vector<RoundedPolygon> polygons_of(const RoundedRegion& region) {
 }
 
 std::shared_ptr<const Polygon> square(double d) {
-  return std::make_shared<const Polygon>(
-      make_polygon(PointVector{{-d, -d}, {d, -d}, {d, d}, {-d, d}}, "square"));
+  return std::make_shared<const Polygon>(PointVector{{-d, -d}, {d, -d}, {d, d}, {-d, d}}, "square");
 }
 
 class SafeRounder {

@@ -178,10 +178,6 @@ static void arguments_that_are_refused(void) {
     CHANGE_REFUSED(GCV_ERR_NOT_FINITE, "positions", "number 1", scene,
                    gcv_scene_set(scene, members, polygons, bad[k], 3));
   }
-  CHANGE_REFUSED(GCV_ERR_INVALID_ARGUMENT, "positions", "array", scene,
-                 gcv_scene_add(scene, polygons, good, SIZE_MAX, ids));
-  CHANGE_REFUSED(GCV_ERR_INVALID_ARGUMENT, "positions", "array", scene,
-                 gcv_scene_set(scene, members, polygons, good, SIZE_MAX / 16 + 1));
   CHANGE_REFUSED(GCV_ERR_NULL_ARGUMENT, "polygons", "number 1", scene,
                  gcv_scene_set(scene, members, holey, NULL, 3));
   CHANGE_REFUSED(GCV_ERR_NULL_ARGUMENT, "polygons", "number 1", scene,

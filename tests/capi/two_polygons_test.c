@@ -221,14 +221,6 @@ static void refusals(void) {
                 gcv_distance(distant, square, far, 2, NULL, separation));
   CHECK_REFUSED(GCV_ERR_NOT_FINITE, "translations: number 1",
                 gcv_penetration(square, square, bad, 2, NULL, escape));
-  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "translations",
-                gcv_relation(square, square, good, SIZE_MAX, NULL, relation));
-  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "translations",
-                gcv_distance(square, square, good, SIZE_MAX / 16 + 3, NULL, separation));
-  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "array",
-                gcv_cast(square, square, good, good, SIZE_MAX / 32 + 1, NULL, impact));
-  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "translations",
-                gcv_penetration(square, square, good, SIZE_MAX, NULL, escape));
   CHECK(escape[0].depth == 77);
   CHECK(relation[0] == 77 && separation[0].distance == 77 && impact[0].time == 77);
   CHECK_OK(gcv_relation(distant, square, far, 2, NULL, relation));

@@ -187,8 +187,8 @@ INSTANTIATE_TEST_SUITE_P(Units, BoxForests, testing::Values(1.0, 0x1p-1060, 0x1p
 // Beside what the polygons take.
 TEST(Scene, TakesFewBytesAMember) {
   constexpr std::size_t count = 100000;
-  const auto polygon = std::make_shared<const Polygon>(
-      make_polygon(PointVector{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, "polygon"));
+  const auto polygon =
+      std::make_shared<const Polygon>(PointVector{{0, 0}, {1, 0}, {1, 1}, {0, 1}}, "polygon");
   const std::vector<std::shared_ptr<const Polygon>> polygons(count, polygon);
   std::vector<Point> positions;
   for (std::size_t k = 0; k < count; ++k) {

@@ -158,8 +158,8 @@ TEST(Superset, OfPolygonsWithHolesIsThatOfTheDefinition) {
       p = {p.x + 1, p.y + 1};
     }
     const Polygon a = make_polygon(std::vector<Ring>{{{0, 0}, {9, 0}, {7, 7}, {0, 9}}, hole}, "a");
-    const Polygon b = make_polygon(
-        test::random_small_integer_polygon(random, test::uniform(random, 3, 7), 5), "b");
+    const Polygon b(test::random_small_integer_polygon(random, test::uniform(random, 3, 7), 5),
+                    "b");
     Tally tally;
     const Operands operands{a.boundary(), b.boundary(),
                             merge_directions(a.boundary(), b.boundary(), tally)};

@@ -2,8 +2,8 @@
 //
 // For every call that takes memory, and for every n: the n-th allocation fails, alone or with
 // all after it. The call says so, writes nothing, gives back what it took, and does the same
-// as ever once there is memory again. No threads
-// are given, so that all allocations come in the same order.
+// as ever once there is memory again. No threads are given, so that all allocations come in the
+// same order. Numbers take no memory, whatever their size.
 #include <utility>
 
 #include "attempts.hpp"
@@ -160,6 +160,20 @@ void starve_questions(std::size_t pair_number, const char* pair_name) {
   }
 }
 
+// Once the polygons are prepared, distances take no memory: not even with numbers of all
+// magnitudes.
+void check_numbers(const gcv::faults::Pair& pair) {
+  constexpr std::size_t few = 6;
+  const gcv::faults::Question& distance = gcv::faults::questions[1];
+  const gcv::faults::Places places = gcv::faults::places_of(pair, few);
+  const std::string before = gcv::faults::answers(distance, pair, places, nullptr);
+  std::string out = before;
+  gcv::faults::until_fault = gcv::faults::never;
+  gcv::faults::require(distance.ask(pair, places, nullptr, out.data()));
+  check(gcv::faults::until_fault == gcv::faults::never, pair.name, ": a distance takes memory");
+  check(out == before, pair.name, ": another distance");
+}
+
 // The polygons are new here too, and there again once the call has failed.
 void starve_contacts(std::size_t pair_number, const char* pair_name) {
   constexpr std::size_t few = 4;
@@ -258,6 +272,7 @@ int main() {
     starve_all_of(pair);
     starve_questions(k, pair.name);
     starve_contacts(k, pair.name);
+    check_numbers(pair);
     const Owner<gcv_outer_face> face = gcv::faults::made<gcv_outer_face>([&](gcv_outer_face** out) {
       return gcv_minkowski_sum(pair.a.get(), pair.b.get(), nullptr, out);
     });

@@ -89,7 +89,7 @@ class QuestionCalls : protected RegionCalls {
   }
 
   // Some vectors, finite or not; or NULL, which is no fault where there are none. Of SIZE_MAX,
-  // which is beyond all memory, there is none.
+  // which is to be refused, there is one number.
   class Vectors {
    public:
     Vectors(QuestionCalls& calls, std::size_t count, Faults& faults)
@@ -98,8 +98,9 @@ class QuestionCalls : protected RegionCalls {
         xy_[k] = calls.number();
         faults.add_if(!std::isfinite(xy_[k]), GCV_ERR_NOT_FINITE);
       }
-      is_null_ = calls.input_.below(16) == 0 || count == SIZE_MAX;
+      is_null_ = calls.input_.below(16) == 0;
       faults.add_if(is_null_ && count > 0, GCV_ERR_NULL_ARGUMENT);
+      faults.add_if(count == SIZE_MAX, GCV_ERR_INVALID_ARGUMENT);
     }
 
     [[nodiscard]] const double* get() const { return is_null_ ? nullptr : xy_.data(); }
@@ -113,9 +114,9 @@ class QuestionCalls : protected RegionCalls {
   template <class Result, class Call>
   std::vector<Result> answers(const char* name, std::size_t count, Faults& faults, Statuses others,
                               Call call) {
-    const bool is_huge = count == SIZE_MAX;  // beyond all memory
+    const bool is_huge = count == SIZE_MAX;  // refused
     Bytes bytes((is_huge ? 0 : count * sizeof(Result)) + sentinels, untouched_byte);
-    const bool is_null = input_.below(16) == 0 || is_huge;
+    const bool is_null = input_.below(16) == 0;
     Result* const out = is_null ? nullptr : reinterpret_cast<Result*>(bytes.data());
     faults.add_if(is_null && count > 0, GCV_ERR_NULL_ARGUMENT);
     const gcv_status status = call(out);

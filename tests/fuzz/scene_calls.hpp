@@ -246,7 +246,7 @@ class SceneCalls : protected QuestionCalls {
 
   static constexpr std::size_t most_named = 4;
 
-  // A few, or more than memory can hold.
+  // A few, or more than an array can hold.
   std::size_t any_count() {
     return input_.one_of<std::size_t>({0, 1, 2, 3, most_named, 1, 2, SIZE_MAX});
   }
@@ -280,7 +280,7 @@ class SceneCalls : protected QuestionCalls {
       is_null_ = calls.input_.below(16) == 0;
       scene.faults.add_if(is_null_ && count_ > 0, GCV_ERR_NULL_ARGUMENT);
       scene.faults.add_if(are_wrong && scene.handle != nullptr, GCV_ERR_INVALID_ARGUMENT);
-      scene.faults.add_if(count_ > most_named, GCV_ERR_NO_MEMORY);
+      scene.faults.add_if(count_ > most_named, GCV_ERR_INVALID_ARGUMENT);
     }
 
     [[nodiscard]] const std::uint64_t* get() const { return is_null_ ? nullptr : ids_.data(); }
@@ -292,14 +292,14 @@ class SceneCalls : protected QuestionCalls {
     bool is_null_;
   };
 
-  // Polygons, some of which may be NULL; or NULL. Of SIZE_MAX there is none.
+  // Polygons, some of which may be NULL; or NULL.
   class Polygons {
    public:
-    Polygons(SceneCalls& calls, std::size_t count) : polygons_(count > most_named ? 0 : count) {
+    Polygons(SceneCalls& calls, std::size_t count) : polygons_(std::min(count, most_named)) {
       for (const gcv_polygon*& polygon : polygons_) {
         polygon = calls.polygons_[calls.input_.below(calls.polygons_.size())].get();
       }
-      is_null_ = calls.input_.below(16) == 0 || count > most_named;
+      is_null_ = calls.input_.below(16) == 0;
     }
 
     [[nodiscard]] const gcv_polygon* const* get() const {

@@ -208,14 +208,19 @@ class SceneQuestionCalls : protected SceneCalls {
       for (std::uint64_t& id : ignored_) {
         id = calls.any_id(state_);
       }
-      const bool is_null = input.below(8) == 7;
+      const std::size_t kind = input.below(8);
+      const bool is_null = kind == 7;
+      const bool is_huge = kind == 6;
       query.ignore = is_null ? nullptr : ignored_.data();
-      query.ignore_count = is_null ? input.one_of<std::size_t>({0, 1, SIZE_MAX}) : ignored_.size();
+      query.ignore_count = is_null   ? input.one_of<std::size_t>({0, 1, SIZE_MAX})
+                           : is_huge ? SIZE_MAX
+                                     : ignored_.size();
+      scene.faults.add_if(size >= whole && is_huge, GCV_ERR_INVALID_ARGUMENT);
       const auto unknown = static_cast<unsigned char>(input.below(2));
       bytes_.assign(std::max(size, sizeof query.struct_size), unknown);
       std::memcpy(bytes_.data(), &query, std::min(bytes_.size(), whole));
       scene.faults.add_if(size < whole || (size > whole && unknown != 0), GCV_ERR_INVALID_ARGUMENT);
-      scene.faults.add_if(size >= whole && is_null && query.ignore_count > 0,
+      scene.faults.add_if(size >= whole && query.ignore == nullptr && query.ignore_count > 0,
                           GCV_ERR_NULL_ARGUMENT);
       if (is_null) {
         ignored_.clear();

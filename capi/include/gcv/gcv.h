@@ -38,8 +38,8 @@
  *
  * Errors. Functions that can fail return a gcv_status. A function that fails writes
  * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
- * throws, prints, or keeps global state. A count of translations, motions or positions that no
- * array can have is GCV_ERR_INVALID_ARGUMENT.
+ * throws, prints, or keeps global state. A count that no array can have is
+ * GCV_ERR_INVALID_ARGUMENT.
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
