@@ -5,4 +5,4 @@
 #   digest.sh BUILD DIGESTS  the same bits as everywhere, of a build of the module
 set -euo pipefail
 cmake --build "$1" --target digest
-node "$1/digest.cjs" "$2"
+seq 4 | xargs -P "$(nproc)" -I{} node "$1/digest.cjs" "$2" {} 4
