@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <boost/container/small_vector.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -131,10 +132,12 @@ SupersetTable::SupersetTable(const Operands& operands, const CoarseGrid& grid,
                              const RankedEdges& ranked, std::size_t size)
     : grid_(grid) {
   const ZOrder order(size);
-  std::vector<std::uint32_t> places(order.cells() + 1);  // of the first edge of each cell
-  std::vector<BoxedEdge> edges;
+  // What few edges take is on the stack: 5 KB.
+  boost::container::small_vector<std::uint32_t, 257> places(order.cells() + 1);  // of first edges
+  boost::container::small_vector<BoxedEdge, 64> edges;
   edges.reserve(size);
-  Buffer<PlacedVertex> placed(std::size_t{operands.a.size()} + operands.b.size());
+  boost::container::small_vector<PlacedVertex, 64> placed(
+      std::size_t{operands.a.size()} + operands.b.size(), boost::container::default_init);
   PlacedVertex* const placed_a = placed.data();
   PlacedVertex* const placed_b = placed_a + operands.a.size();
   place_vertices(operands.a, grid.of(operands.a), placed_a);

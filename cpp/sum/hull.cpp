@@ -77,8 +77,8 @@ Index furthest(const Boundary& polygon, const Point& d) {
 
 }  // namespace
 
-std::vector<VertexSum> hull_vertices(const Boundary& a, const Boundary& b, unsigned threads) {
-  std::vector<VertexSum> vertices{{a.lexicographic_min, b.lexicographic_min}};
+HullVertices hull_vertices(const Boundary& a, const Boundary& b, unsigned threads) {
+  HullVertices vertices{{a.lexicographic_min, b.lexicographic_min}};
   if (threads <= 1) {
     return vertices;
   }

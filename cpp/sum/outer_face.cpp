@@ -5,7 +5,9 @@
 // visits no point twice.
 #include "outer_face.hpp"
 
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -23,7 +25,7 @@ namespace gcv {
 namespace {
 
 // The ring of the arcs.
-Walk join(std::vector<Arc> arcs, Tally& tally) {
+Walk join(std::span<Arc> arcs, Tally& tally) {
   const EdgeName* arriving = &arcs.back().last;
   std::size_t size = 0;
   for (Arc& arc : arcs) {
@@ -47,14 +49,14 @@ Walk join(std::vector<Arc> arcs, Tally& tally) {
 template <class MakeSearch>
 Walk walk_arcs(const Operands& operands, double slack, Task& task, Tally& tally,
                MakeSearch make_search) {
-  const std::vector<VertexSum> starts = hull_vertices(operands.a, operands.b, task.threads());
-  std::vector<Arc> arcs(starts.size());
+  const auto starts = hull_vertices(operands.a, operands.b, task.threads());
+  boost::container::small_vector<Arc, 1> arcs(starts.size());
   const auto walk_arc = [&](std::size_t k) {
     arcs[k] = Walker(operands, make_search(), slack, task)
                   .arc(starts[k], starts[(k + 1) % starts.size()]);
   };
   for_each_in_parallel(arcs.size(), task.threads(), walk_arc, [&] { task.watch(); });
-  return join(std::move(arcs), tally);
+  return join({arcs.data(), arcs.size()}, tally);
 }
 
 }  // namespace

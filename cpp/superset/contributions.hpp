@@ -4,8 +4,8 @@
 // 1): for each convex vertex, the edges whose ranks lie in its cone.
 #pragma once
 
+#include <boost/container/small_vector.hpp>
 #include <cstddef>
-#include <vector>
 
 #include "boundary.hpp"
 #include "contributing_vertices.hpp"
@@ -50,8 +50,8 @@ class EdgesByRank {
   }
 
  private:
-  std::vector<Index> first_;  // place of the first edge of each rank
-  std::vector<Index> edges_;
+  boost::container::small_vector<Index, 64> first_;  // place of the first edge of each rank
+  boost::container::small_vector<Index, 32> edges_;
 };
 
 // Those of both polygons.

@@ -68,7 +68,7 @@ TEST(Hull, WalksStartInCornersOfTheSum) {
     const double distance = round % 2 == 0 ? 0 : 0x1p50;
     const gcv::Boundary a = make_ring(star(random, 24, distance), "a");
     const gcv::Boundary b = make_ring(star(random, 9, -distance), "b");
-    const std::vector<VertexSum> vertices = hull_vertices(a, b, 8);
+    const HullVertices vertices = hull_vertices(a, b, 8);
     starts += vertices.size();
     EXPECT_EQ(vertices.front().i, a.lexicographic_min);
     EXPECT_EQ(vertices.front().j, b.lexicographic_min);
