@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Sums of two polygons by all methods of CGAL that its own tests compare (GPL: in tests only).
+// Sums of two polygons by the methods of CGAL that its own tests compare (GPL: in tests only).
 //
 // Reads lines "a RING; RING; ..." and "b RING; ...", and prints the sum after each line "b": first
 // "method NAME", then the rings of what the method gives, each "ring p/q r/s, p/q r/s, ...". A RING
