@@ -27,9 +27,9 @@ inline std::uint64_t translations_a_report(std::uint64_t size_a, std::uint64_t s
 
 // Writes to out[k], for each k below `count`, once all are known, what answer(k, tally, task)
 // gives. begin(tally) makes the answer for some of them, a block, which it serves one after the
-// other.
+// other. Tells the task after each `portion` of them.
 template <class Begin, class Result>
-void give_all(std::size_t count, std::uint64_t a_report, std::size_t block,
+void give_all(std::size_t count, std::uint64_t a_report, std::size_t portion, std::size_t block,
               const gcv_options& options, Result* out, Begin begin) {
   constexpr std::size_t few = 8;  // that need no memory of their own
   Task task(threads_of(options), options.progress, options.progress_context, a_report);
@@ -42,23 +42,27 @@ void give_all(std::size_t count, std::uint64_t a_report, std::size_t block,
                          auto answer = begin(tally, task);
                          const std::size_t first = number * block;
                          const std::size_t end = std::min(count, first + block);
-                         for (std::size_t k = first; k < end; ++k) {
-                           results[k] = answer(k);
+                         for (std::size_t k = first; k < end;) {
+                           const std::size_t next = std::min(end, k + portion);
+                           const std::size_t done = next - k;
+                           for (; k < next; ++k) {
+                             results[k] = answer(k);
+                           }
+                           task.advance(done);
                          }
-                         task.advance(end - first);
                        },
                        [&] { task.watch(); });
   task.finish();
   std::copy(results.begin(), results.end(), out);
 }
 
-// The same. What is reported are answers.
+// The same, in blocks of one portion.
 template <class Begin, class Result>
 void give_all(std::size_t count, std::uint64_t a_report, const gcv_options& options, Result* out,
               Begin begin) {
   constexpr std::uint64_t most = 128;
-  give_all(count, a_report, static_cast<std::size_t>(std::min(a_report, most)), options, out,
-           begin);
+  const auto portion = static_cast<std::size_t>(std::min(a_report, most));
+  give_all(count, a_report, portion, portion, options, out, begin);
 }
 
 // Throws Error: range, where a number of the contact is beyond the largest double.

@@ -87,7 +87,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     const gcv::capi::Vectors all(positions, count, "positions");
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
-    gcv::capi::give_all(count, Task::portion, 1, known, out, [&](Tally& tally, Task& task) {
+    gcv::capi::give_all(count, Task::portion, 1, 1, known, out, [&](Tally& tally, Task& task) {
       return [&](std::size_t k) {
         const auto [id, escape] = ways.escape(all[k], task, tally);
         const auto& [depth, way, place, contact] = escape;

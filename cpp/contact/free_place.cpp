@@ -140,8 +140,9 @@ class NearestFree : public BestFree<NearestFree> {
         from_(from),
         relative_(relative) {}
 
-  // The places from one to another on a line.
-  void take(const PlacesOnLine& places, const Place& from, const Place& to) {
+  // The places from one to another on a line. Of a ring, less the last one: the next edge has that.
+  void take(const PlacesOnLine& places, const Place& from, const Place& to,
+            bool is_of_ring = false) {
     const SumEdge& s = places.line().at;
     const RelativeLine line = relative_line(places);
     const Interval first = parameters_of(line, from);
@@ -154,7 +155,9 @@ class NearestFree : public BestFree<NearestFree> {
     if (from_foot_to(s, from, across) >= 0) {
       compare(places, exact_point(s, from), line, first, from);
     } else if (from_foot_to(s, to, across) <= 0) {
-      compare(places, exact_point(s, to), line, last, to);
+      if (!is_of_ring) {
+        compare(places, exact_point(s, to), line, last, to);
+      }
     } else {
       compare(places, ExactPoint::of_crossing(s, across), line, {nearest, nearest}, std::nullopt);
     }
@@ -221,6 +224,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
                                                   Task& task, std::uint64_t step) {
+  last_steps_ = 0;
   const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
   NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, most, tally_);
@@ -228,17 +232,33 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
     const RingVertex& start = outer_ring[k];
     const RingVertex& end = outer_ring[k + 1 < outer_ring.size() ? k + 1 : 0];
     const PlacesOnLine places(operands_, operands_.named(start.leaving()), tally_);
-    best.take(places, places.place(start, start.arriving()), places.place(end, end.leaving()));
+    best.take(places, places.place(start, start.arriving()), places.place(end, end.leaving()),
+              true);
   }
   if (wanted_.holes || wanted_.fits) {
     known_.clear();
     nearest_edges_.for_each(
         best.reach(), [&](const PairEdge& s) { return known_.hold(s); },
-        [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
+        [&](const PairEdge& s) { cover_.walk(s, best); },
+        [&] {
+          ++last_steps_;
+          task.advance(step);
+        });
   }
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }
+  return best.found();
+}
+
+std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeBoundary& boundary) {
+  last_steps_ = 0;
+  const Point relative = operands_.relative_place(from);
+  nearest_edges_.set_goal(Goal::near(relative));
+  NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, infinity, tally_);
+  boundary.for_each_near(relative, best.reach(), tally_,
+                         [&](const PlacesOnLine& places, const Place& start, const Place& end,
+                             bool is_of_ring) { best.take(places, start, end, is_of_ring); });
   return best.found();
 }
 

@@ -14,6 +14,7 @@
 #include "exact_point.hpp"
 #include "exact_region.hpp"
 #include "exact_ring.hpp"
+#include "free_boundary.hpp"
 #include "nearest_edges.hpp"
 #include "task.hpp"
 #include "walked_lines.hpp"
@@ -41,9 +42,14 @@ class FreePlaceSearch {
   std::optional<FreePlace> nearest(const Point& from, double most,
                                    const std::vector<RingVertex>& outer_ring, Task& task,
                                    std::uint64_t step);
+  // The same, where the boundary is known: with holes and fits if these are wanted.
+  std::optional<FreePlace> nearest(const Point& from, const FreeBoundary& boundary);
   // The furthest one in a direction, of several the lexicographically smallest. The free set must
   // be bounded in it. Throws Error: cancelled, internal.
   std::optional<FreePlace> furthest(const Point& direction, Task& task, std::uint64_t step);
+
+  // How many edges and pairs of nodes the last search looked at.
+  [[nodiscard]] std::uint64_t last_steps() const { return last_steps_; }
 
   // Vectors into the middles of the directions in which all is free next to a furthest place.
   std::vector<Point> ways_off(const FreePlace& place) {
@@ -67,6 +73,7 @@ class FreePlaceSearch {
   Tally& tally_;
   EdgeCover cover_;
   NearestEdges nearest_edges_;
+  std::uint64_t last_steps_ = 0;
   WalkedLines known_;  // superset edges that were looked at: what they have within reach is found
 };
 

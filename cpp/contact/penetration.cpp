@@ -68,12 +68,38 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
 
 WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted,
                  Task& task, Tally& tally)
-    : operands_{a.boundary(), reflected_b.boundary(),
+    : a_(a),
+      reflected_b_(reflected_b),
+      operands_{a.boundary(), reflected_b.boundary(),
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
       wanted_(wanted) {
   if (!wanted.holes) {
     outer_ring_ = walk_outer_face(a.outer, reflected_b.outer, task, tally).vertices;
   }
+}
+
+const FreeBoundary* WaysOut::boundary(Task& task) const {
+  // A step of a search takes about as long as that many of a region.
+  constexpr std::uint64_t steps_a_step = 4;
+  const Boundary& a = operands_.a;
+  const Boundary& b = operands_.b;
+  const bool is_ring = a.is_convex && b.is_convex;  // which is soon found
+  if (!is_ring && steps_a_step * steps_ < estimated_cover_steps(a, b)) {
+    return nullptr;
+  }
+  return &boundary_.get([&] {
+    // It asks the caller, but tells nothing of its own steps.
+    const auto ask = [](void* asked, std::uint64_t /*done*/, std::uint64_t /*all*/) {
+      static_cast<Task*>(asked)->poll();
+      return std::int32_t{0};
+    };
+    Task quiet(1, ask, &task);
+    Counts counts;
+    ExactRegion region;
+    const Walk walk = walk_outer_face(a_.outer, reflected_b_.outer, quiet, counts.predicates);
+    find_sum_parts(operands_, walk.vertices, wanted_, quiet, counts, region);
+    return FreeBoundary(operands_, region, slack_of(operands_), counts.predicates);
+  });
 }
 
 Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
@@ -82,8 +108,11 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     const ExactPoint start = ExactPoint::of_sum({from, {0, 0}});
     return {0, {0, 0}, usable_position(placed.pair, start, tally_), {}};
   }
+  const FreeBoundary* const boundary = ways_.boundary(task);
   const std::optional<FreePlace> place =
-      search_.nearest(from, infinity, ways_.outer_ring(), task, 0);
+      boundary != nullptr ? search_.nearest(from, *boundary)
+                          : search_.nearest(from, infinity, ways_.outer_ring(), task, 0);
+  ways_.add_steps(search_.last_steps());
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }

@@ -3,13 +3,16 @@
 // How B gets out of an overlap.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "contact.hpp"
 #include "exact_region.hpp"
+#include "free_boundary.hpp"
 #include "free_place.hpp"
+#include "lazy.hpp"
 #include "usable_position.hpp"
 
 namespace gcv {
@@ -22,7 +25,8 @@ struct Escape {
 };
 
 // What the ways out at all translations have in common. With holes left out there is the outer ring
-// to go to.
+// to go to. The whole boundary is found for convex polygons, and where searches have taken about as
+// long as that. It gives the same ways.
 class WaysOut {
  public:
   // The polygons must live longer.
@@ -33,10 +37,20 @@ class WaysOut {
   [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<RingVertex>& outer_ring() const { return outer_ring_; }
 
+  // A search has taken so many steps.
+  void add_steps(std::uint64_t steps) const { steps_ += steps; }
+  // Null where searches are quicker, as far as they have gone. The first call that gives it finds
+  // it. Throws Error: cancelled, internal.
+  [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
+
  private:
+  const Polygon& a_;
+  const Polygon& reflected_b_;
   Operands operands_;
   WantedParts wanted_;
   std::vector<RingVertex> outer_ring_;
+  mutable std::atomic<std::uint64_t> steps_{0};
+  Lazy<FreeBoundary> boundary_;
 };
 
 // The shortest translation to a place, each coordinate correctly rounded.

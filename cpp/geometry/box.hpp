@@ -34,6 +34,9 @@ inline Box sum_of(const Box& p, const Box& q) {
   return {p.x0 + q.x0, p.y0 + q.y0, p.x1 + q.x1, p.y1 + q.y1};
 }
 
+// Its width and its height together.
+inline double extents_of(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
+
 // The box, moved outwards by `more` on each side.
 inline Box widened(const Box& box, double more) {
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};

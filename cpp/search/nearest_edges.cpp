@@ -9,20 +9,20 @@
 
 namespace gcv {
 
-namespace {
-
-double extents_of(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
-
-}  // namespace
-
 NearestEdges::NearestEdges(const Operands& operands, WitnessSearch& search)
     : operands_(operands),
       search_(search),
       a_(operands.a.cover_index().chords),
       b_(operands.b.cover_index().chords),
-      below_a_(all_edges_below(a_, operands.a, operands.directions.rank_a, operands.directions)),
-      below_b_(all_edges_below(b_, operands.b, operands.directions.rank_b, operands.directions)),
       scale_(scale_for_squares(extents_of(operands.relative_bounds()))) {}
+
+void NearestEdges::find_edges_below() {
+  if (below_a_.empty()) {
+    const Directions& directions = operands_.directions;
+    below_a_ = all_edges_below(a_, operands_.a, directions.rank_a, directions);
+    below_b_ = all_edges_below(b_, operands_.b, directions.rank_b, directions);
+  }
+}
 
 void NearestEdges::set_goal(const Goal& goal) {
   goal_ = goal;

@@ -28,7 +28,7 @@ struct Goal {
 
 class NearestEdges {
  public:
-  // O(n + m).
+  // The first search takes O(n + m) more.
   NearestEdges(const Operands& operands, WitnessSearch& search);
 
   // How far a place is from the goal: its distance from the point, or how much less far it is than
@@ -42,6 +42,7 @@ class NearestEdges {
   // before an edge is looked at. Calls pass() after each step.
   template <class IsKnown, class Visit, class Pass>
   void for_each(const double& reach, IsKnown is_known, Visit visit, Pass pass) {
+    find_edges_below();
     heap_.clear();
     push({0, Entry::nodes, ChordTree::root, ChordTree::root});
     while (!heap_.empty()) {
@@ -88,6 +89,7 @@ class NearestEdges {
     return p.order_at_cost() > q.order_at_cost();
   }
 
+  void find_edges_below();
   void push(const Entry& entry);
   // Puts the children of the larger node, beside the other one, into the heap; of two edges their
   // superset edges.

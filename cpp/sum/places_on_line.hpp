@@ -40,6 +40,11 @@ class PlacesOnLine {
     return turn(other.edge.rank, line_.edge.rank);
   }
 
+  // Is the edge parallel to s, the other way round too?
+  [[nodiscard]] bool is_parallel(const EdgeName& edge) const {
+    return turn(operands_.named(edge).rank, line_.edge.rank) == 0;
+  }
+
   // The side of another line on which the place lies: 1 left, -1 right, 0 on it.
   [[nodiscard]] int side_of(const Line& other, const Place& place) const;
   // The order of two places along s.

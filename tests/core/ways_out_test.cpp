@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// Ways out of overlaps by searches and by the whole boundary: the same, to the bit.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "generators.hpp"
+#include "penetration.hpp"
+#include "region_families.hpp"
+#include "regions.hpp"
+
+namespace gcv {
+namespace {
+
+using Numbers = std::vector<std::uint64_t>;
+
+Numbers numbers_of(const Escape& escape) {
+  const auto& [depth, way, place, contact] = escape;
+  Numbers numbers;
+  for (const double x :
+       {depth, way.x, way.y, place.position.x, place.position.y, contact.gap, contact.normal.x,
+        contact.normal.y, contact.on_a.x, contact.on_a.y, contact.on_b.x, contact.on_b.y}) {
+    numbers.push_back(std::bit_cast<std::uint64_t>(x));
+  }
+  numbers.push_back(static_cast<std::uint64_t>(place.relation));
+  numbers.push_back(static_cast<std::uint64_t>(contact.kind));
+  numbers.push_back(contact.a);
+  numbers.push_back(contact.b);
+  return numbers;
+}
+
+// Steps that no search takes.
+constexpr std::uint64_t many_steps = std::uint64_t{1} << 40;
+
+class WaysOfPair {
+ public:
+  WaysOfPair(const test::PolygonRings& a, const test::PolygonRings& reflected_b, double scale)
+      : a_(*test::region_operand(scaled(a, scale), "a").polygon),
+        b_(*test::region_operand(scaled(test::negated_rings(reflected_b), scale), "b").polygon),
+        reflected_(*test::region_operand(scaled(reflected_b, scale), "b").polygon),
+        pair_(a_, b_) {}
+
+  // In the box of all overlaps.
+  [[nodiscard]] Point place(test::Random& random) const {
+    const Box box = sum_of(a_.boundary().bounds, reflected_.boundary().bounds);
+    const auto between = [&](double low, double high) {
+      return low + (high - low) * test::uniform(random, 0, 48) / 48;
+    };
+    const double x = between(box.x0, box.x1);
+    return {x, between(box.y0, box.y1)};
+  }
+
+  [[nodiscard]] Numbers find(const Point& translation, const WantedParts& wanted,
+                             std::uint64_t steps) const {
+    Task task;
+    Tally tally;
+    const WaysOut ways(a_, reflected_, wanted, task, tally);
+    ways.add_steps(steps);
+    EXPECT_EQ(ways.boundary(task) != nullptr,
+              steps > 0 || (a_.boundary().is_convex && b_.boundary().is_convex));
+    return numbers_of(EscapeSearch(ways, tally).find(PlacedPair(pair_, translation), task));
+  }
+
+ private:
+  static test::PolygonRings scaled(test::PolygonRings rings, double scale) {
+    for (PointVector& ring : rings) {
+      for (Point& p : ring) {
+        p = {scale * p.x, scale * p.y};
+      }
+    }
+    return rings;
+  }
+
+  Polygon a_;
+  Polygon b_;
+  Polygon reflected_;
+  PolygonPair pair_;
+};
+
+void compare_ways(int cases, double scale, int places) {
+  int overlaps = 0;
+  for (const test::RegionFamily& family : test::region_families()) {
+    test::Random random(11);
+    for (int k = 0; k < cases; ++k) {
+      const test::RegionCase c = family.next_case(random);
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(k));
+      const WaysOfPair ways(c.a, c.b, scale);
+      for (int n = 0; n < places; ++n) {
+        const Point translation = ways.place(random);
+        for (const WantedParts& wanted : {WantedParts{true, true}, WantedParts{true, false},
+                                          WantedParts{false, true}, WantedParts{false, false}}) {
+          const Numbers by_search = ways.find(translation, wanted, 0);
+          EXPECT_EQ(by_search, ways.find(translation, wanted, many_steps))
+              << translation.x << ' ' << translation.y;
+          overlaps += by_search[0] != 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(overlaps, cases * places);
+}
+
+TEST(WaysOut, AreTheSameBySearchAndByBoundary) { compare_ways(12, 1, 12); }
+
+TEST(WaysOut, AreTheSameForHugeAndTinyPolygons) {
+  for (const double scale : {0x1p1010, 0x1p-1060, 0x1p500, 0x1p-520}) {
+    SCOPED_TRACE(scale);
+    compare_ways(3, scale, 4);
+  }
+}
+
+}  // namespace
+}  // namespace gcv
