@@ -221,7 +221,7 @@ gcv_status gcv_polygon_affine(const gcv_polygon* polygon, const double m[6], gcv
       }
     }
     const gcv::AffineMap map{m[0], m[1], m[2], m[3], m[4], m[5]};
-    *out = new_polygon(mapped(*polygon->polygon, map, "polygon"));
+    *out = new_polygon(mapped(*polygon->polygon, map, "the mapped polygon"));
   });
 }
 

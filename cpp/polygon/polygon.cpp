@@ -32,7 +32,7 @@ PointVector mapped_vertices(const Boundary& ring, const AffineMap& map, const ch
     const Point image = mapped(map, ring.vertices[i]);
     if (!std::isfinite(image.x) || !std::isfinite(image.y)) {
       throw Error(Status::range,
-                  "%s: the %s coordinate of vertex %u, mapped, is beyond the largest double", name,
+                  "%s: the %s coordinate of vertex %u is beyond the largest double", name,
                   std::isfinite(image.x) ? "y" : "x", ring.corners[i].vertex_number);
     }
     vertices[i] = image;

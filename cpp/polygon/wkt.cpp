@@ -31,6 +31,7 @@ class Parser {
     expect('(');
     std::vector<PointVector> rings{ring(0)};
     while (accept(',')) {
+      vertices_before_ += rings.back().size();
       rings.push_back(ring(rings.size()));
       check_hole(rings.back(), rings.size() - 1);
     }
@@ -181,8 +182,9 @@ class Parser {
     PointVector points;
     expect('(');
     do {
-      const double x = number(number_of_ring, points.size());
-      const double y = number(number_of_ring, points.size());
+      const std::size_t vertex = vertices_before_ + points.size();
+      const double x = number(number_of_ring, vertex);
+      const double y = number(number_of_ring, vertex);
       points.push_back({x, y});
     } while (accept(','));
     if (!accept(')')) {
@@ -205,6 +207,7 @@ class Parser {
   std::string_view text_;
   const char* name_;
   std::size_t at_ = 0;
+  std::size_t vertices_before_ = 0;  // in the rings before
 };
 
 void append(std::string& text, double value) {

@@ -138,11 +138,12 @@ static void refusals(void) {
   }
   /* Beyond the largest double by the rounding alone, and by far. */
   maps_to(far, MAP(1, 0, 0x1p969, 0, 1, 0), RING(0x1p969, 0, DBL_MAX, 0, 0x1p969, 1));
-  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1,", far, MAP(1, 0, 0x1p970, 0, 1, 0));
-  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1,", far, MAP(2, 0, 0, 0, 1, 0));
-  refuses(GCV_ERR_RANGE, "the y coordinate of vertex 1,", far, MAP(0, 1, 0, DBL_MAX, 0, 0));
-  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1,", dart, MAP(DBL_MAX, DBL_MAX, 0, 0, 1, 0));
-  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1,", far, MAP(-1, 0, -DBL_MAX, 0, 1, 0));
+  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1 is", far, MAP(1, 0, 0x1p970, 0, 1, 0));
+  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1 is", far, MAP(2, 0, 0, 0, 1, 0));
+  refuses(GCV_ERR_RANGE, "the y coordinate of vertex 1 is", far, MAP(0, 1, 0, DBL_MAX, 0, 0));
+  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1 is", dart,
+          MAP(DBL_MAX, DBL_MAX, 0, 0, 1, 0));
+  refuses(GCV_ERR_RANGE, "the x coordinate of vertex 1 is", far, MAP(-1, 0, -DBL_MAX, 0, 1, 0));
   /* Onto a line or a point, by the map or by the roundings. */
   refuses(GCV_ERR_DEGENERATE, "", dart, MAP(1, 0, 0, 1, 0, 0));
   refuses(GCV_ERR_DEGENERATE, "", dart, MAP(1, 2, 3, 2, 4, 6));
@@ -202,7 +203,7 @@ static void numbers(void) {
   numbers_stay(RING(0, 0, 0, 2, 0, 4, 1, 3.5, 2, 3, 4, 4, 2, 2, 1, 1)); /* both, clockwise */
   /* The numbers in messages are those that the polygon was created with. */
   turned = mapped(polygon, MAP(0, 1, 0, 1, 0, 0));
-  refuses(GCV_ERR_RANGE, "ring 0: the x coordinate of vertex 3,", turned,
+  refuses(GCV_ERR_RANGE, "the mapped polygon: ring 0: the x coordinate of vertex 3 ", turned,
           MAP(0x1p1021, 0, 0, 0, 1, 0));
   refuses(GCV_ERR_NOT_SIMPLE,
           "rings 0 and 1 cross, overlap, or touch from the wrong side: edges 4 and 7 ", turned,

@@ -89,6 +89,13 @@ static void messages(void) {
     CHECK_REFUSED(GCV_ERR_NOT_FINITE, part, create_rings(&rings, &polygon));
   }
 
+  /* In text as well, vertices are numbered through all rings. */
+  {
+    static const char text[] = "POLYGON ((0 0, 9 0, 9 9, 0 9), (1 1, 1 2, 2 nan))";
+    CHECK_REFUSED(GCV_ERR_NOT_FINITE, "nan in vertex 6 of ring 1 ",
+                  gcv_polygon_create_wkt(text, sizeof text - 1, &polygon));
+  }
+
   /* Vertex 10 of the first hole into the other one. */
   rings = plate;
   rings.xy[20] = 5.5;

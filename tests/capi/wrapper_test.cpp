@@ -166,6 +166,7 @@ static void two_polygons() {
   const gcv::ContactList list = gcv::contacts(square, square, {1, 0});
   CHECK(list.contacts()[0].gap == 0 && list.previous()[0] == UINT64_MAX);
   CHECK(gcv::relation(square, square, gcv::View<Point>{}).empty());
+  CHECK_THROWS(GCV_ERR_DEGENERATE, "0 distinct", gcv::Polygon(gcv::View<Point>{}));
 }
 
 static void scenes() {

@@ -147,8 +147,10 @@ std::string text(const Call& call) {
   return out.data();
 }
 
+// Those of no points are not null, so that the library says what it lacks.
 inline const double* doubles(const Point* points) {
-  return reinterpret_cast<const double*>(points);
+  static const double none = 0;
+  return points != nullptr ? reinterpret_cast<const double*>(points) : &none;
 }
 inline double* doubles(Point* points) { return reinterpret_cast<double*>(points); }
 

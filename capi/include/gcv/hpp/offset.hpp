@@ -31,10 +31,12 @@ inline namespace hpp {
 inline Region offset(const Polygon& polygon, double distance, double tolerance,
                      const Options& options = {}) {
   if (!std::isfinite(distance) || distance == 0) {
-    throw Error(GCV_ERR_INVALID_ARGUMENT, "distance: this is not a finite number other than 0");
+    throw Error(GCV_ERR_INVALID_ARGUMENT,
+                "distance: " + std::to_string(distance) + " is not a finite number other than 0");
   }
   if (!std::isfinite(tolerance) || tolerance <= 0) {
-    throw Error(GCV_ERR_INVALID_ARGUMENT, "tolerance: this is not a finite number above 0");
+    throw Error(GCV_ERR_INVALID_ARGUMENT,
+                "tolerance: " + std::to_string(tolerance) + " is not a finite number above 0");
   }
   const Polygon disc = Polygon::disc({}, std::abs(distance), 0.875 * tolerance, Rounding::outward);
   Options safe;
