@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "error.hpp"
+#include "gap.hpp"
 #include "outer_face.hpp"
 #include "predicates.hpp"
 #include "relation.hpp"
@@ -15,6 +16,14 @@ namespace gcv {
 
 Point way_to(const FreePlace& place, const Point& from, Tally& tally) {
   return nearest_point(place.point, negated(from), tally);
+}
+
+double depth_of(const Operands& operands, const FreePlace& place, const Point& from, Tally& tally) {
+  if (place.place) {
+    return nearest_distance(place.point, from, tally);
+  }
+  const SumEdge line = coordinates(operands.a, operands.b, place.edge);
+  return nearest_gap({line, {from, {0, 0}}, true}, tally);
 }
 
 OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const FreePlace& place,
@@ -116,7 +125,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }
-  return {nearest_distance(place->point, from, tally_), way_to(*place, from, tally_),
+  return {depth_of(ways_.operands(), *place, from, tally_), way_to(*place, from, tally_),
           usable_position(placed.pair, place->point, tally_),
           contact_in(ways_.operands(), search_, *place, {}, tally_).contact};
 }

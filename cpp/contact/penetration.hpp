@@ -56,6 +56,9 @@ class WaysOut {
 // The shortest translation to a place, each coordinate correctly rounded.
 Point way_to(const FreePlace& place, const Point& from, Tally& tally);
 
+// Its length, correctly rounded.
+double depth_of(const Operands& operands, const FreePlace& place, const Point& from, Tally& tally);
+
 // The contact in a free place: of the superset edges that hold it, the first by the owner of the
 // edge or vertex of A, the kind, and the caller's numbers. `owners` has one for each ring of A, or
 // none. No contact, but an owner, where none holds it.

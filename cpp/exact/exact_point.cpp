@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "exact_point.hpp"
 
+#include <optional>
 #include <type_traits>
 
+#include "ball.hpp"
+#include "double_double_rounding.hpp"
 #include "exact_numbers.hpp"
 #include "gap.hpp"
 #include "predicates.hpp"
@@ -34,6 +37,25 @@ HomogeneousPoint<Integer> homogeneous(const Grid& grid, const ExactPoint& p, con
 template <class Integer>
 Integer square_of_length(const HomogeneousPoint<Integer>& p) {
   return p.x * p.x + p.y * p.y;
+}
+
+// The distance of the crossing of two edges from a point, in double-double arithmetic, where that
+// is certain.
+std::optional<RoundedNumber> rounded_distance(const SumEdge& s, const SumEdge& t,
+                                              const Point& from) {
+  const DoubleDoubleVector origin = double_double_vector(SumPoint{from, {0, 0}}, s.origin);
+  const DoubleDoubleVector direction = double_double_vector(s.from, s.to);
+  const DoubleDoubleParameter parameter = double_double_parameter(s, t);
+  const Ball lambda = Ball::normal(parameter.hi, parameter.lo, parameter.error);
+  const Ball x = Ball::of(origin.x) + lambda * Ball::of(direction.x);
+  const Ball y = Ball::of(origin.y) + lambda * Ball::of(direction.y);
+  for (const double size :
+       {origin.x.size, origin.y.size, direction.x.size, direction.y.size, lambda.hi, x.hi, y.hi}) {
+    if (!gcv::is_in_range(size)) {
+      return std::nullopt;
+    }
+  }
+  return rounded(square_root(x * x + y * y));
 }
 
 // The bits of the coordinates of crossings, and of their denominators.
@@ -117,6 +139,13 @@ int compare_lexicographically(const ExactPoint& p, const ExactPoint& q, Tally& t
 }
 
 double nearest_distance(const ExactPoint& p, const Point& from, Tally& tally) {
+  if (p.is_sum) {
+    return nearest_gap({{p.sum, {}, {}, 0, 0}, {from, {0, 0}}, false}, tally);
+  }
+  if (const std::optional<RoundedNumber> in_doubles = rounded_distance(p.s, p.t, from)) {
+    ++tally.filtered;
+    return in_doubles->value;
+  }
   Grid grid{from};
   include(grid, p);
   return with_integers(root_bits(square_bits(grid.bits())), tally, [&]<class Integer>() {

@@ -82,7 +82,7 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched = contact_in(operands, search, *place, solids.owners, tally);
       return {touched.owner,
-              {nearest_distance(place->point, position, tally), way_to(*place, position, tally),
+              {depth_of(operands, *place, position, tally), way_to(*place, position, tally),
                usable(place->point, tally), touched.contact}};
     }
     if (is_all) {
