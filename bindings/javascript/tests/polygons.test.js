@@ -65,6 +65,8 @@ test("what is made of a polygon", () => {
   assert.deepEqual(polygon.translated([1, 2]).bounds, [1, 2, 7, 6]);
   assert.deepEqual(polygon.negated().bounds, [-6, -4, 0, 0]);
   assert.deepEqual(polygon.affine([0, -1, 0, 1, 0, 0]).bounds, [-4, 0, 0, 6]);
+  const rows = [[0, -1, 0], [1, 0, 0]];
+  fails(() => polygon.affine(rows), InputError, Status.INVALID_ARGUMENT, /^matrix: .* is not 6 numbers/);
   const { polygon: simple, errorBound } = new Polygon([...plate, [0, 2], [0.01, 1]]).simplified(0.1);
   assert.ok(simple.equals(polygon));
   assert.ok(errorBound > 0 && errorBound <= 0.1);
