@@ -68,6 +68,11 @@ export function unfit(name: string, value: unknown, what: string): InputError {
   return new InputError(Status.INVALID_ARGUMENT, `${name}: ${short(value)} is not ${what}`);
 }
 
+/** The error for what cannot be a polygon, and why. @internal */
+export function noPolygon(reason: string): InputError {
+  return new InputError(Status.INVALID_ARGUMENT, `polygon: ${reason}`);
+}
+
 /** The same error, about the polygon of that name. @internal */
 export function named(error: GcvError, name: string): GcvError {
   return errorOf(error.status, `${name}: ${error.message.replace(/^polygon: /, "")}`);
@@ -85,13 +90,24 @@ export function caught<T>(make: () => T): T | GcvError {
   }
 }
 
-function short(value: unknown): string {
-  let text: string | undefined;
-  try {
-    text = typeof value === "number" ? String(value) : JSON.stringify(value);
-  } catch {
-    // A cycle or a BigInt.
-  }
-  text ??= String(value);
+/** The value in a message. @internal */
+export function short(value: unknown): string {
+  const text = textOf(value);
   return text.length > 60 ? `${text.slice(0, 57)}...` : text;
+}
+
+function textOf(value: unknown): string {
+  if (typeof value === "number") {
+    return String(value);
+  }
+  if (typeof value === "bigint") {
+    return `${value}n`;
+  }
+  const withBigInts = (_: string, part: unknown) => (typeof part === "bigint" ? `${part}n` : part);
+  try {
+    return JSON.stringify(value, withBigInts) ?? String(value);
+  } catch {
+    // A cycle, or a shape that was freed.
+    return Object.prototype.toString.call(value);
+  }
 }

@@ -4,7 +4,7 @@
 // Polygons with a clearance.
 
 import { InputError, Status, unfit } from "./errors.js";
-import type { CallOptions, RegionOptions } from "./options.js";
+import { callOptions, checkOptions, type CallOptions, type RegionOptions } from "./options.js";
 import { numberOf } from "./points.js";
 import { Polygon, polygonOf } from "./polygon.js";
 import type { Region } from "./region.js";
@@ -14,6 +14,11 @@ import { innerFitRegion, minkowskiSumRegion } from "./sums.js";
 // What the disc and the rounding take of the tolerance; a 16th is left for the rounding of shares.
 const shareOfDisc = 7 / 8;
 const shareOfRounding = 1 / 16;
+
+// Discs that need more have twice as many, and then no sum fits into the memory of the module.
+const mostVertices = 7e6;
+
+const roundings = "the roundings of these coordinates to doubles";
 
 /**
  * The polygon with a clearance: grown by the distance, or shrunk where it is below 0.
@@ -28,34 +33,42 @@ const shareOfRounding = 1 / 16;
  * tolerance, is added to the polygon, or moved inside of it, exactly; and rounding moves the
  * boundary outwards, or inwards, by a 16th of the tolerance at most, which errorBound certifies.
  *
+ * For a distance of r or -r the disc has about 2.4 sqrt(r / tolerance) vertices, up to twice as
+ * many.
+ *
  * Throws an InputError for a distance that is 0 or not finite, and for a tolerance that is not
- * above 0, not finite, or too small for doubles.
+ * above 0, not finite, too small for doubles, or so small that the disc does not fit into memory.
  */
 export function offset(
   polygon: PolygonLike,
   distance: number,
   tolerance: number,
-  { progress, signal }: CallOptions = {},
+  options: CallOptions = {},
 ): Region {
+  checkOptions(options, callOptions);
   if (!Number.isFinite(numberOf(distance, "distance")) || distance === 0) {
     throw unfit("distance", distance, "a finite number other than 0");
   }
   if (!Number.isFinite(numberOf(tolerance, "tolerance")) || tolerance <= 0) {
     throw unfit("tolerance", tolerance, "a finite number above 0");
   }
-  const options: RegionOptions = { rounding: "outward", leaveOut: "fits", progress, signal };
+  const safe: RegionOptions = { ...options, rounding: "outward", leaveOut: "fits" };
+  const radius = Math.abs(distance);
+  if (2.4 * Math.sqrt(radius / tolerance) > mostVertices) {
+    throw tooSmall(tolerance, `a distance of ${distance}: its disc has too many vertices`);
+  }
   const made: Polygon[] = [];
   try {
     const source = polygonOf(polygon, "polygon", made);
-    const disc = discOf(Math.abs(distance), tolerance);
+    const disc = discOf(radius, tolerance);
     made.push(disc);
     const region =
       distance > 0
-        ? minkowskiSumRegion(source, disc, options)
-        : innerFitRegion(source, disc, [0, 0], options);
+        ? minkowskiSumRegion(source, disc, safe)
+        : innerFitRegion(source, disc, [0, 0], safe);
     if (region.errorBound > shareOfRounding * tolerance) {
       region.free();
-      throw tooSmall(tolerance);
+      throw tooSmall(tolerance, roundings);
     }
     return region;
   } finally {
@@ -68,11 +81,10 @@ function discOf(radius: number, tolerance: number): Polygon {
   try {
     return Polygon.disc([0, 0], radius, shareOfDisc * tolerance, { rounding: "outward" });
   } catch (error) {
-    throw error instanceof InputError ? tooSmall(tolerance) : error;
+    throw error instanceof InputError ? tooSmall(tolerance, roundings) : error;
   }
 }
 
-function tooSmall(tolerance: number): InputError {
-  const reason = "is too small for the roundings of these coordinates to doubles";
-  return new InputError(Status.INVALID_ARGUMENT, `tolerance: ${tolerance} ${reason}`);
+function tooSmall(tolerance: number, what: string): InputError {
+  return new InputError(Status.INVALID_ARGUMENT, `tolerance: ${tolerance} is too small for ${what}`);
 }

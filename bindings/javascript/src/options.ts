@@ -48,6 +48,23 @@ export interface RegionOptions extends SumOptions {
   leaveOut?: LeaveOut;
 }
 
+/** The names of the options of each kind. @internal */
+export const callOptions = ["progress", "signal"];
+export const sumOptions = [...callOptions, "rounding", "tolerance"];
+export const regionOptions = [...sumOptions, "leaveOut"];
+export const escapeOptions = [...callOptions, "leaveOut"];
+
+/** Throws for what is no options, and for an option with none of these names. @internal */
+export function checkOptions(options: object, names: readonly string[]): void {
+  if (typeof options !== "object" || options === null) {
+    throw unfit("options", options, "an object");
+  }
+  const other = Object.keys(options).find((name) => !names.includes(name));
+  if (other !== undefined) {
+    throw unfit("options", other, `one of ${names.join(", ")}`);
+  }
+}
+
 const roundings = ["nearest", "outward"];
 const parts = ["holes", "fits"];
 
@@ -62,7 +79,7 @@ export function roundingOf(rounding: string = "nearest"): number {
 
 function bitsOf(leaveOut: LeaveOut = []): number {
   let bits = 0;
-  for (const part of typeof leaveOut === "string" ? [leaveOut] : leaveOut) {
+  for (const part of Array.isArray(leaveOut) ? leaveOut : [leaveOut]) {
     if (!parts.includes(part)) {
       throw unfit("leaveOut", part, `one of ${parts.join(", ")}`);
     }
@@ -79,13 +96,19 @@ export function run(
   options: RegionOptions,
   call: (options: number) => number,
 ): void {
-  const { progress, signal } = options;
+  const { rounding, tolerance = 0, leaveOut, progress, signal } = options;
+  if (progress !== undefined && typeof progress !== "function") {
+    throw unfit("progress", progress, "a function");
+  }
+  if (signal !== undefined && typeof signal?.throwIfAborted !== "function") {
+    throw unfit("signal", signal, "an AbortSignal");
+  }
   signal?.throwIfAborted();
   const pointer = scratch.room(optionsSize);
   library.gcv_options_init_size(pointer, optionsSize);
-  view().setInt32(pointer + 4, roundingOf(options.rounding), true);
-  view().setFloat64(pointer + 8, numberOf(options.tolerance ?? 0, "tolerance"), true);
-  view().setUint32(pointer + 32, bitsOf(options.leaveOut), true);
+  view().setInt32(pointer + 4, roundingOf(rounding), true);
+  view().setFloat64(pointer + 8, numberOf(tolerance, "tolerance"), true);
+  view().setUint32(pointer + 32, bitsOf(leaveOut), true);
   if (progress === undefined) {
     check(call(pointer));
     return;

@@ -104,15 +104,19 @@ export class OuterFace extends Shape {
 
   /** Whether both rings are equal, the exact ones and those in doubles. */
   equals(other: OuterFace): boolean {
-    return String(this.vertices) === String(other.vertices) && areEqual(this.exact, other.exact);
+    return (
+      other instanceof OuterFace &&
+      String(this.vertices) === String(other.vertices) &&
+      areEqual(this.exact, other.exact)
+    );
   }
 
-  toGeoJSON(): GeoJSONPolygon {
+  override toGeoJSON(): GeoJSONPolygon {
     return { type: "Polygon", coordinates: [closedRing(this.vertices)] };
   }
 
   /** Well-Known Text, which reads back to the same doubles. */
-  toWKT(): string {
+  override toWKT(): string {
     return `POLYGON ${wktOfRings([this.vertices])}`;
   }
 

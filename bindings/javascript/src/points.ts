@@ -40,6 +40,17 @@ export function numbersOf(value: ArrayLike<number>, count: number, name: string)
   return numbers;
 }
 
+/**
+ * The elements of the array of polygons that the argument of that name should be, with undefined for
+ * those that are missing. @internal
+ */
+export function elementsOf<T>(value: readonly T[], name: string): T[] {
+  if (!Array.isArray(value)) {
+    throw unfit(name, value, "an array of polygons");
+  }
+  return Array.from<T>(value);
+}
+
 /** Whether the value is one point and not many. @internal */
 export function isPoint(value: Point | Points): value is Point {
   return Array.isArray(value) && value.length === 2 && !value.some(isList);
@@ -63,9 +74,10 @@ export function coordinatesOf(
     throw unfit(name, points, what);
   }
   const coordinates = new Float64Array(2 * points.length);
-  points.forEach((point: readonly number[], k) => {
-    coordinates.set(numbersOf(point, 2, nameOf(k)), 2 * k);
-  });
+  // Not by forEach, which skips elements that are missing.
+  for (let k = 0; k < points.length; ++k) {
+    coordinates.set(numbersOf(points[k], 2, nameOf(k)), 2 * k);
+  }
   return coordinates;
 }
 
@@ -78,7 +90,8 @@ function isNumberArray(value: unknown): value is NumberArray {
   );
 }
 
-function isList(value: unknown): value is ArrayLike<unknown> {
+/** Whether the value is an array, or a typed array of numbers. @internal */
+export function isList(value: unknown): value is ArrayLike<unknown> {
   return Array.isArray(value) || isNumberArray(value);
 }
 

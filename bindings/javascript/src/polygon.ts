@@ -8,7 +8,7 @@ import { closedRing, wktOfRings, type GeoJSONPolygon } from "./geojson.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, doubleOf, doublesAt, pointerOf, withScratch } from "./memory.js";
-import { roundingOf, type SumOptions } from "./options.js";
+import { checkOptions, roundingOf, type SumOptions } from "./options.js";
 import { numberOf, numbersOf, type Point } from "./points.js";
 import { Shape } from "./shape.js";
 import { madeOf, madeOfMany, normalisedRings, type PolygonLike } from "./sources.js";
@@ -57,6 +57,7 @@ export class Polygon extends Shape {
     sources: readonly PolygonLike[],
     options: { returnErrors?: boolean } = {},
   ): (Polygon | GcvError)[] {
+    checkOptions(options, ["returnErrors"]);
     const results = madeOfMany(sources).map((made, k) =>
       made instanceof Made ? new Polygon(made) : named(made, `polygon ${k}`),
     );
@@ -78,6 +79,7 @@ export class Polygon extends Shape {
     tolerance: number,
     options: Pick<SumOptions, "rounding"> = {},
   ): Polygon {
+    checkOptions(options, ["rounding"]);
     return withScratch((scratch) => {
       const middle = scratch.doubles(numbersOf(centre, 2, "centre"));
       const numbers = [numberOf(radius, "radius"), numberOf(tolerance, "tolerance")] as const;
@@ -126,6 +128,7 @@ export class Polygon extends Shape {
    * it contains this one. Numbers of vertices and edges stay.
    */
   simplified(tolerance: number, options: Pick<SumOptions, "rounding"> = {}): Simplified {
+    checkOptions(options, ["rounding"]);
     return withScratch((scratch) => {
       const bound = scratch.room(8);
       const limit = numberOf(tolerance, "tolerance");
@@ -142,7 +145,8 @@ export class Polygon extends Shape {
 
   /**
    * The polygon with (x, y) moved to (m0 x + m1 y + m2, m3 x + m4 y + m5), each coordinate correctly
-   * rounded. Numbers of vertices and edges stay.
+   * rounded. Numbers of vertices and edges stay. The matrix is six numbers in one array, row by row:
+   * [0, -1, 0, 1, 0, 0] is a quarter turn. Two rows of three are refused.
    */
   affine(matrix: ArrayLike<number>): Polygon {
     return new Polygon(affineMade(this.pointer, matrix));
@@ -163,15 +167,15 @@ export class Polygon extends Shape {
   equals(other: Polygon): boolean {
     const key = ({ rings: [outer, ...holes] }: Polygon) =>
       [String(outer), ...holes.map(String).sort()].join(";");
-    return key(this) === key(other);
+    return other instanceof Polygon && key(this) === key(other);
   }
 
-  toGeoJSON(): GeoJSONPolygon {
+  override toGeoJSON(): GeoJSONPolygon {
     return { type: "Polygon", coordinates: this.rings.map(closedRing) };
   }
 
   /** Well-Known Text, which reads back to the same doubles. */
-  toWKT(): string {
+  override toWKT(): string {
     return `POLYGON ${wktOfRings(this.rings)}`;
   }
 

@@ -7,7 +7,15 @@ import { errorOf, Status } from "./errors.js";
 import { library } from "./library.js";
 import { ContactList } from "./lists.js";
 import { structsAt, withScratch, type Scratch } from "./memory.js";
-import { madeBy, run, type CallOptions, type LeaveOut } from "./options.js";
+import {
+  callOptions,
+  checkOptions,
+  escapeOptions,
+  madeBy,
+  run,
+  type CallOptions,
+  type LeaveOut,
+} from "./options.js";
 import { coordinatesOf, isPoint, numberOf, numbersOf, type Point, type Points } from "./points.js";
 import { withPolygons } from "./polygon.js";
 import {
@@ -70,7 +78,9 @@ function ask<T>(
   sources: Record<string, PolygonLike>,
   vectors: Record<string, Point | Points>,
   options: EscapeOptions,
+  names = callOptions,
 ): T | T[] {
+  checkOptions(options, names);
   return withPolygons(sources, (a, b) =>
     withScratch((scratch) =>
       answer(scratch, struct, vectors, options, (pointers, ...rest) =>
@@ -171,7 +181,8 @@ export function penetration(
   translation: Point | Points = [0, 0],
   options: EscapeOptions = {},
 ): Escape | Escape[] {
-  return ask(library.gcv_penetration, escapeStruct, { a, b }, { translation }, options);
+  const call = library.gcv_penetration;
+  return ask(call, escapeStruct, { a, b }, { translation }, options, escapeOptions);
 }
 
 /**
@@ -186,6 +197,7 @@ export function contacts(
   slope = 0,
   options: CallOptions = {},
 ): ContactList {
+  checkOptions(options, callOptions);
   return withPolygons({ a, b }, (first, second) =>
     withScratch((scratch) => {
       const place = scratch.doubles(numbersOf(translation, 2, "translation"));

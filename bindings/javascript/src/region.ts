@@ -221,11 +221,11 @@ export class Region extends Shape {
   equals(other: Region): boolean {
     const key = ({ parts, vertices, exactParts }: Region) =>
       JSON.stringify([parts, Array.from(vertices), exactParts]);
-    return key(this) === key(other) && areEqual(this.exact, other.exact);
+    return other instanceof Region && key(this) === key(other) && areEqual(this.exact, other.exact);
   }
 
   /** A MultiPolygon; with segments or points a GeometryCollection of all parts. */
-  toGeoJSON(): GeoJSONMultiPolygon | GeoJSONGeometryCollection {
+  override toGeoJSON(): GeoJSONMultiPolygon | GeoJSONGeometryCollection {
     const polygons = this.polygons.map((rings) => rings.map(closedRing));
     if (this.segments.length + this.points.length === 0) {
       return { type: "MultiPolygon", coordinates: polygons };
@@ -243,7 +243,7 @@ export class Region extends Shape {
   }
 
   /** The polygons as Well-Known Text: always a MULTIPOLYGON, without segments and points. */
-  toWKT(): string {
+  override toWKT(): string {
     return `MULTIPOLYGON ${listed(this.polygons.map(wktOfRings))}`;
   }
 

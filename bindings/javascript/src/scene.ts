@@ -3,11 +3,20 @@
 //
 // Scenes of many polygons, and questions about them.
 
+import { unfit } from "./errors.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { ContactList, PairList } from "./lists.js";
 import { doublesAt, pointerOf, withScratch, type Scratch } from "./memory.js";
-import { madeBy, run, type CallOptions, type LeaveOut, type RegionOptions } from "./options.js";
+import {
+  callOptions,
+  checkOptions,
+  madeBy,
+  run,
+  type CallOptions,
+  type LeaveOut,
+  type RegionOptions,
+} from "./options.js";
 import { numberOf, numbersOf, type Point, type Points } from "./points.js";
 import { withPolygons, type Box } from "./polygon.js";
 import { answer, type EscapeOptions } from "./questions.js";
@@ -40,6 +49,10 @@ export interface FreeRegionOptions extends QueryOptions, Pick<RegionOptions, "ro
   leaveOut?: LeaveOut;
 }
 
+const queryOptions = [...callOptions, "layers", "ignore"];
+const placeOptions = [...queryOptions, "leaveOut"];
+const regionOptions = [...placeOptions, "rounding"];
+
 const querySize = 16;
 
 /**
@@ -61,7 +74,7 @@ export class Scene extends SceneMembers {
    * what of that lies in it. Without a container there must be a window.
    */
   freeRegion(moving: PolygonLike, window: Box | null = null, options: FreeRegionOptions = {}): Region {
-    return this.ask({ moving }, options, (scratch, polygon, query) => {
+    return this.ask({ moving }, options, regionOptions, (scratch, polygon, query) => {
       const bounds = window === null ? 0 : scratch.doubles(numbersOf(window, 4, "window"));
       return new Region(
         madeBy(scratch, options, (known, out) =>
@@ -80,7 +93,7 @@ export class Scene extends SceneMembers {
     direction: Point,
     options: QueryOptions & Pick<RegionOptions, "leaveOut"> = {},
   ): Point | null {
-    return this.ask({ moving }, options, (scratch, polygon, query) => {
+    return this.ask({ moving }, options, placeOptions, (scratch, polygon, query) => {
       const towards = scratch.doubles(numbersOf(direction, 2, "direction"));
       const [out, found] = [scratch.room(16), scratch.room(4)];
       run(scratch, options, (known) =>
@@ -139,7 +152,8 @@ export class Scene extends SceneMembers {
     positions: Point | Points = [0, 0],
     options: QueryOptions & EscapeOptions = {},
   ): Escape | Escape[] {
-    return this.answer(library.gcv_scene_penetration, escapeStruct, moving, { positions }, options);
+    const call = library.gcv_scene_penetration;
+    return this.answer(call, escapeStruct, moving, { positions }, options, placeOptions);
   }
 
   /** What is no further than a distance from a polygon at a position: pairs of an id and 0. */
@@ -149,7 +163,7 @@ export class Scene extends SceneMembers {
     distance = 0,
     options: QueryOptions = {},
   ): PairList {
-    return this.ask({ moving }, options, (scratch, polygon, query) => {
+    return this.ask({ moving }, options, queryOptions, (scratch, polygon, query) => {
       const place = scratch.doubles(numbersOf(position, 2, "position"));
       const limit = numberOf(distance, "distance");
       return new PairList(
@@ -165,9 +179,9 @@ export class Scene extends SceneMembers {
    * other. With an earlier list of this scene, what has not moved since is not computed again.
    */
   pairs(distance = 0, previous: PairList | null = null, options: QueryOptions = {}): PairList {
-    return this.ask({}, options, (scratch, _, query) => {
+    return this.ask({}, options, queryOptions, (scratch, _, query) => {
       const limit = numberOf(distance, "distance");
-      const earlier = previous?.pointer ?? 0;
+      const earlier = pointerOfPrevious(previous, PairList);
       return new PairList(
         madeBy(scratch, options, (known, out) =>
           library.gcv_scene_pairs(this.pointer, earlier, limit, query, known, out),
@@ -183,9 +197,9 @@ export class Scene extends SceneMembers {
     previous: ContactList | null = null,
     options: QueryOptions = {},
   ): ContactList {
-    return this.ask({}, options, (scratch, _, query) => {
+    return this.ask({}, options, queryOptions, (scratch, _, query) => {
       const limits = [numberOf(distance, "distance"), numberOf(slope, "slope")];
-      const earlier = previous?.pointer ?? 0;
+      const earlier = pointerOfPrevious(previous, ContactList);
       return new ContactList(
         madeBy(scratch, options, (known, out) =>
           library.gcv_scene_contacts(this.pointer, earlier, ...limits, query, known, out),
@@ -200,8 +214,9 @@ export class Scene extends SceneMembers {
     moving: PolygonLike,
     vectors: Record<string, Point | Points>,
     options: QueryOptions & EscapeOptions,
+    names = queryOptions,
   ): T | T[] {
-    return this.ask({ moving }, options, (scratch, polygon, query) =>
+    return this.ask({ moving }, options, names, (scratch, polygon, query) =>
       answer(scratch, struct, vectors, options, (pointers, count, known, out) =>
         call(this.pointer, polygon, ...pointers, count, query, known, out),
       ),
@@ -210,9 +225,12 @@ export class Scene extends SceneMembers {
 
   private ask<T>(
     sources: { moving?: PolygonLike },
-    { layers = allLayers, ignore = [] }: QueryOptions,
+    options: QueryOptions,
+    names: string[],
     use: (scratch: Scratch, moving: number, query: number) => T,
   ): T {
+    checkOptions(options, names);
+    const { layers = allLayers, ignore = [] } = options;
     return withPolygons(sources as Record<string, PolygonLike>, (moving = 0) =>
       withScratch((scratch) => {
         const ids = idsOf(ignore, "ignore");
@@ -225,4 +243,18 @@ export class Scene extends SceneMembers {
       }),
     );
   }
+}
+
+/** The pointer of an earlier list of that kind, 0 for none. */
+function pointerOfPrevious(
+  previous: PairList | ContactList | null,
+  Kind: typeof PairList | typeof ContactList,
+): number {
+  if (previous === null) {
+    return 0;
+  }
+  if (!(previous instanceof Kind)) {
+    throw unfit("previous", previous, `a ${Kind.name}`);
+  }
+  return previous.pointer;
 }

@@ -7,7 +7,7 @@ import { unfit } from "./errors.js";
 import { Handle, Made } from "./handle.js";
 import { library } from "./library.js";
 import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
-import { checkCounts, coordinatesOf, isPoint, type Point, type Points } from "./points.js";
+import { checkCounts, coordinatesOf, elementsOf, isList, isPoint, type Point, type Points } from "./points.js";
 import { Polygon, polygonOf, withPolygons } from "./polygon.js";
 import type { PolygonLike } from "./sources.js";
 
@@ -152,7 +152,7 @@ export abstract class SceneMembers extends Handle {
 
   /** The position of a member. */
   position(id: number): Point {
-    const [x, y] = this.positions([id]);
+    const [x, y] = this.positions([idOf(id)]);
     return [x!, y!];
   }
 
@@ -168,9 +168,9 @@ export abstract class SceneMembers extends Handle {
 
   /** The polygon of a member, before it is moved to its position; made at each call. */
   polygon(id: number): Polygon {
-    const [known] = idsOf(id, "id");
+    const known = BigInt(idOf(id));
     return new Polygon(
-      new Made(pointerOf((out) => library.gcv_scene_polygon(this.pointer, BigInt(known!), out))),
+      new Made(pointerOf((out) => library.gcv_scene_polygon(this.pointer, known, out))),
     );
   }
 }
@@ -178,21 +178,35 @@ export abstract class SceneMembers extends Handle {
 function withMany<T>(sources: readonly PolygonLike[], use: (pointers: number[]) => T): T {
   const made: Polygon[] = [];
   try {
-    return use(sources.map((source, k) => polygonOf(source, `polygons[${k}]`, made).pointer));
+    const polygons = elementsOf(sources, "polygons");
+    return use(polygons.map((source, k) => polygonOf(source, `polygons[${k}]`, made).pointer));
   } finally {
     made.forEach((polygon) => polygon.free());
   }
 }
 
 /** Ids as they are passed. @internal */
-export function idsOf(ids: number | readonly number[], name: string): readonly number[] {
-  const list = typeof ids === "number" ? [ids] : ids;
-  list.forEach((id, k) => {
-    if (!Number.isSafeInteger(id) || id < 0) {
-      throw unfit(typeof ids === "number" ? name : `${name}[${k}]`, id, "an id");
-    }
-  });
+export function idsOf(ids: number | readonly number[], name: string): number[] {
+  const isOne = !isList(ids);
+  const list = isOne ? [ids] : Array.from(ids);
+  const wrong = list.findIndex((id) => !isId(id));
+  if (wrong >= 0) {
+    throw isOne
+      ? unfit(name, ids, "an id, nor an array of them")
+      : unfit(`${name}[${wrong}]`, list[wrong], "an id");
+  }
   return list;
+}
+
+function idOf(id: number): number {
+  if (!isId(id)) {
+    throw unfit("id", id, "an id");
+  }
+  return id;
+}
+
+function isId(id: number): boolean {
+  return Number.isSafeInteger(id) && id >= 0;
 }
 
 /** Layers as they are passed. @internal */

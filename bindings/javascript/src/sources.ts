@@ -3,12 +3,12 @@
 //
 // Whatever a polygon can be made from.
 
-import { caught, errorOf, GcvError, Status, unfit } from "./errors.js";
+import { caught, errorOf, GcvError, named, noPolygon, short, Status, unfit } from "./errors.js";
 import type { GeoJSONSource } from "./geojson.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, coordinatesOf as coordinatesFrom, pointerOf, structsAt, withScratch } from "./memory.js";
-import { coordinatesOf, type Points } from "./points.js";
+import { coordinatesOf, elementsOf, type Points } from "./points.js";
 import { Shape } from "./shape.js";
 import { isSVGPath, ringsOfSVGPath } from "./svg_path.js";
 import { asPlainPolygon } from "./wkt_source.js";
@@ -24,16 +24,17 @@ type Ring = ArrayLike<number>;
 
 /** The polygon of a source, with more holes. Messages begin with "polygon: ". */
 export function madeOf(source: PolygonLike, holes: readonly PolygonLike[] = []): Made {
+  const added = elementsOf(holes, "holes");
   const read = ringsOrPolygon(source);
-  if (read instanceof Made && holes.length === 0) {
+  if (read instanceof Made && added.length === 0) {
     return read;
   }
-  return madeOfRings([...ringsOf(read), ...holes.map(ringOfHole)]);
+  return madeOfRings([...ringsOf(read), ...added.map(ringOfHole)]);
 }
 
 /** The polygon of each source, or its error. Those of one ring are made at once. */
 export function madeOfMany(sources: readonly PolygonLike[]): (Made | GcvError)[] {
-  const read = sources.map((source) => caught(() => ringsOrPolygon(source)));
+  const read = elementsOf(sources, "sources").map((source) => caught(() => ringsOrPolygon(source)));
   const isSingle = (one: Ring[] | Made | GcvError): one is [Ring] =>
     Array.isArray(one) && one.length === 1;
   const pointers = pointersOf(read.filter(isSingle).map(([ring]) => ring));
@@ -129,9 +130,12 @@ export function normalisedRings(pointer: number): Float64Array[] {
 }
 
 function ringOfHole(source: PolygonLike, index: number): Ring {
-  const rings = ringsOf(ringsOrPolygon(source));
+  const rings = caught(() => ringsOf(ringsOrPolygon(source)));
+  if (rings instanceof GcvError) {
+    throw named(rings, `polygon: hole ${index}`);
+  }
   if (rings.length !== 1) {
-    throw invalid(`hole ${index} has ${rings.length} rings, not one`);
+    throw noPolygon(`hole ${index} has ${rings.length} rings, not one`);
   }
   return rings[0];
 }
@@ -166,14 +170,14 @@ function ringsOfGeoJSON(source: unknown): Ring[] {
     case undefined:
       throw unfit("polygon", source, "a geometry");
     default:
-      throw invalid(`a geometry of type ${JSON.stringify(type)} is not a polygon`);
+      throw noPolygon(`a geometry of type ${short(type)} is not a polygon`);
   }
 }
 
 function only(parts: unknown, type: string): unknown {
   const list = listOf(parts);
   if (list.length !== 1) {
-    throw invalid(`a ${type} of ${list.length} parts is not one polygon`);
+    throw noPolygon(`a ${type} of ${list.length} parts is not one polygon`);
   }
   return list[0];
 }
@@ -188,13 +192,10 @@ function ringsOfCoordinates(coordinates: unknown): Ring[] {
   return rings.length === 0 ? [[]] : rings;
 }
 
+/** With undefined for missing elements. */
 function listOf(value: unknown): unknown[] {
   if (!Array.isArray(value)) {
-    throw invalid(`${JSON.stringify(value)} in a geometry is not a list`);
+    throw noPolygon(`${short(value)} in a geometry is not a list`);
   }
-  return value;
-}
-
-function invalid(message: string): GcvError {
-  return errorOf(Status.INVALID_ARGUMENT, `polygon: ${message}`);
+  return Array.from(value);
 }

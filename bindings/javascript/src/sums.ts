@@ -8,9 +8,17 @@ import { edgeSourceAt, type EdgeSource } from "./facts.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { lastMessage, pointerOf, structsAt, structsOf, withScratch } from "./memory.js";
-import { madeBy, run, type RegionOptions, type SumOptions } from "./options.js";
+import {
+  checkOptions,
+  madeBy,
+  regionOptions,
+  run,
+  sumOptions,
+  type RegionOptions,
+  type SumOptions,
+} from "./options.js";
 import { OuterFace } from "./outer_face.js";
-import { checkCounts, coordinatesOf, numbersOf, type Point, type Points } from "./points.js";
+import { checkCounts, coordinatesOf, elementsOf, numbersOf, type Point, type Points } from "./points.js";
 import { Polygon, polygonOf, withPolygons } from "./polygon.js";
 import { Region } from "./region.js";
 import type { PolygonLike } from "./sources.js";
@@ -28,6 +36,11 @@ export interface ManyOptions {
   returnErrors?: boolean;
 }
 
+/** The names of the options of such a result. */
+function optionsOf(Result: Function): string[] {
+  return Result === OuterFace ? sumOptions : regionOptions;
+}
+
 type Sum = (a: number, b: number, options: number, out: number) => number;
 type PlacedSum = (a: number, b: number, point: number, options: number, out: number) => number;
 
@@ -37,6 +50,7 @@ function sum<T>(
   sources: Record<string, PolygonLike>,
   options: RegionOptions,
 ): T {
+  checkOptions(options, optionsOf(Result));
   return withPolygons(sources, (a, b) =>
     withScratch(
       (scratch) => new Result(madeBy(scratch, options, (known, out) => call(a!, b!, known, out))),
@@ -139,21 +153,25 @@ export function innerFitRegion(
 type Many = (a: number, b: number, ...rest: number[]) => number;
 type Maybe<T, O> = O extends { returnErrors: true } ? T | GcvError : T;
 
-/** What the call gives for each pair: results, or errors. */
+/** What the call gives for each pair: results, or errors. References are those of no-fit shapes. */
 function many<T extends OuterFace | Region>(
   call: Many,
   Result: new (made: Made) => T,
   sources: Record<string, readonly PolygonLike[]>,
-  references: Points | undefined | null,
-  options: RegionOptions & ManyOptions,
+  references: Points | null | undefined,
+  options: RegionOptions & ManyOptions = {},
 ): (T | GcvError)[] {
+  checkOptions(options, [...optionsOf(Result), "returnErrors"]);
   const made: Polygon[] = [];
   try {
     const [[firstName, first], [secondName, second]] = Object.entries(sources).map(([name, list]) => [
       name,
-      list.map((source, k) => caught(() => polygonOf(source, `${name}[${k}]`, made))),
+      elementsOf(list, name).map((source, k) =>
+        caught(() => polygonOf(source, `${name}[${k}]`, made)),
+      ),
     ]) as [[string, (Polygon | GcvError)[]], [string, (Polygon | GcvError)[]]];
-    const places = references && coordinatesOf(references, "references", "an array of points");
+    const places =
+      references == null ? null : coordinatesOf(references, "references", "an array of points");
     checkCounts(firstName, first.length, secondName, second.length);
     if (places) {
       checkCounts(firstName, first.length, "references", places.length / 2);
@@ -168,7 +186,7 @@ function many<T extends OuterFace | Region>(
         scratch.words(tried.map((k) => (polygons[k] as Polygon).pointer));
       const [a, b, count] = [pointers(first), pointers(second), tried.length];
       const points = tried.flatMap((k) => [places?.[2 * k] ?? 0, places?.[2 * k + 1] ?? 0]);
-      const given = references === null ? [] : [scratch.doubles(points)];
+      const given = "fixed" in sources ? [scratch.doubles(points)] : [];
       const [out, statuses] = [scratch.room(4 * count), scratch.room(4 * count)];
       run(scratch, options, (known) => call(a, b, ...given, count, known, out, statuses));
       let message = lastMessage();
@@ -209,7 +227,7 @@ export function minkowskiSumMany<O extends SumOptions & ManyOptions>(
   options?: O,
 ): Maybe<OuterFace, O>[] {
   const call = library.gcv_minkowski_sum_many;
-  return many(call, OuterFace, { a, b }, null, options ?? {}) as Maybe<OuterFace, O>[];
+  return many(call, OuterFace, { a, b }, null, options) as Maybe<OuterFace, O>[];
 }
 
 /** Many no-fit polygons; all references are the origin by default. Throws the first error. */
@@ -221,7 +239,7 @@ export function noFitPolygonMany<O extends SumOptions & ManyOptions>(
 ): Maybe<OuterFace, O>[] {
   const call = library.gcv_no_fit_polygon_many;
   const polygons = { fixed, moving };
-  return many(call, OuterFace, polygons, references, options ?? {}) as Maybe<OuterFace, O>[];
+  return many(call, OuterFace, polygons, references, options) as Maybe<OuterFace, O>[];
 }
 
 /** Many whole sums: the k-th region is that of a[k] + b[k]. Throws the first error. */
@@ -231,7 +249,7 @@ export function minkowskiSumRegionMany<O extends RegionOptions & ManyOptions>(
   options?: O,
 ): Maybe<Region, O>[] {
   const call = library.gcv_minkowski_sum_region_many;
-  return many(call, Region, { a, b }, null, options ?? {}) as Maybe<Region, O>[];
+  return many(call, Region, { a, b }, null, options) as Maybe<Region, O>[];
 }
 
 /** Many no-fit regions; all references are the origin by default. Throws the first error. */
@@ -242,7 +260,7 @@ export function noFitRegionMany<O extends RegionOptions & ManyOptions>(
   options?: O,
 ): Maybe<Region, O>[] {
   const call = library.gcv_no_fit_region_many;
-  return many(call, Region, { fixed, moving }, references, options ?? {}) as Maybe<Region, O>[];
+  return many(call, Region, { fixed, moving }, references, options) as Maybe<Region, O>[];
 }
 
 const supersetEdgeSize = 48;

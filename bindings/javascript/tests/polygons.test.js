@@ -53,7 +53,11 @@ test("what a polygon tells", () => {
   assert.equal(polygon.toSVGPath(), "M 0 0 L 6 0 L 6 4 L 0 4 Z M 1 1 L 3 3 L 3 1 Z");
   assert.ok(new Polygon(polygon.toSVGPath()).equals(polygon));
   assert.ok(new Polygon(polygon.toGeoJSON()).equals(polygon));
+  assert.equal(String(polygon), wkt);
+  assert.equal(JSON.stringify(polygon), JSON.stringify(polygon.toGeoJSON()));
+  assert.ok(new Polygon(JSON.stringify(polygon)).equals(polygon));
   assert.ok(!polygon.equals(new Polygon(plate)));
+  assert.ok(!polygon.equals(wkt));
 });
 
 test("what is made of a polygon", () => {
@@ -61,6 +65,8 @@ test("what is made of a polygon", () => {
   assert.deepEqual(polygon.translated([1, 2]).bounds, [1, 2, 7, 6]);
   assert.deepEqual(polygon.negated().bounds, [-6, -4, 0, 0]);
   assert.deepEqual(polygon.affine([0, -1, 0, 1, 0, 0]).bounds, [-4, 0, 0, 6]);
+  const rows = [[0, -1, 0], [1, 0, 0]];
+  fails(() => polygon.affine(rows), InputError, Status.INVALID_ARGUMENT, /^matrix: .* is not 6 numbers/);
   const { polygon: simple, errorBound } = new Polygon([...plate, [0, 2], [0.01, 1]]).simplified(0.1);
   assert.ok(simple.equals(polygon));
   assert.ok(errorBound > 0 && errorBound <= 0.1);
@@ -99,8 +105,15 @@ test("sources that are no polygons", () => {
     ["POLYGON ((0 0, 1e400 0, 0 1))", Status.NOT_FINITE, /1e400/],
     ["M 0 0 L 1 0 C 1 1 0 1 0 0", Status.PARSE, /character 12: .*curves/],
     ["M 0 0 L 1", Status.PARSE, /the path ends/],
+    ["MULTIPOLYGON (((0 0, 1 0, 0 1)), ((5 5, 6 5, 5 6)))", Status.INVALID_ARGUMENT, /MultiPolygon of 2 parts/],
+    ["MULTIPOLYGON EMPTY", Status.INVALID_ARGUMENT, /a MultiPolygon of 0 parts is not one polygon/],
+    [" MultiPolygon Z ( EMPTY )", Status.INVALID_ARGUMENT, /a MultiPolygon of 0 parts/],
+    ["MULTIPOLYGON M (((0 0 7, 1 x 7)))", Status.PARSE, /byte 27: .*'x'/],
+    ["POLYGON ZM EMPTY", Status.DEGENERATE, /EMPTY has no vertices/],
     ["{", Status.PARSE, /GeoJSON/],
     [{ type: "Point", coordinates: [0, 0] }, Status.INVALID_ARGUMENT, /"Point" is not a polygon/],
+    [{ type: 5n }, Status.INVALID_ARGUMENT, /a geometry of type 5n is not/],
+    [{ type: "Polygon", coordinates: 5n }, Status.INVALID_ARGUMENT, /5n in a geometry is not a list/],
     [{ type: "MultiPolygon", coordinates: [] }, Status.INVALID_ARGUMENT, /0 parts/],
     [5, Status.INVALID_ARGUMENT, /5 is not a polygon/],
     [null, Status.INVALID_ARGUMENT, /null is not a polygon/],
@@ -108,6 +121,9 @@ test("sources that are no polygons", () => {
   for (const [source, status, message] of cases) {
     fails(() => new Polygon(source), InputError, status, message);
   }
+  const { INVALID_ARGUMENT } = Status;
+  fails(() => new Polygon(plate, hole), InputError, INVALID_ARGUMENT, /^polygon: hole 0: vertex 0: 1 is/);
+  fails(() => new Polygon(plate, [hole, []]), InputError, Status.DEGENERATE, /^polygon: ring 2/);
   fails(() => minkowskiSum(plate, []), InputError, Status.DEGENERATE, /^b: /);
   fails(() => new Polygon(plate, [wkt]), InputError, Status.INVALID_ARGUMENT, /hole 0 has 2 rings/);
   fails(() => Polygon.disc([0, 0], -1, 1), InputError, Status.INVALID_ARGUMENT, /radius/);

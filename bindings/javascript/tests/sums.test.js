@@ -33,7 +33,10 @@ test("outer faces", () => {
   assert.equal(face.toWKT(), "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
   assert.equal(face.toSVGPath(), "M 0 0 L 3 0 L 3 3 L 0 3 Z");
   assert.equal(face.toGeoJSON().coordinates[0].length, 5);
+  assert.equal(`${face}`, face.toWKT());
+  assert.deepEqual(JSON.parse(JSON.stringify({ face })), { face: face.toGeoJSON() });
   assert.ok(face.equals(gcv.minkowskiSum(square(2), square(1))));
+  assert.ok(!face.equals(null));
   assert.deepEqual(gcv.noFitPolygon(square(1), square(2), [1, 1]).bounds, [-1, -1, 2, 2]);
   assert.deepEqual(gcv.entranceBlock(square(1), square(2), [1, 1]).bounds, [0, 0, 3, 3]);
 });
@@ -64,6 +67,9 @@ test("regions", () => {
   assert.equal(region.stats.partsDropped, 0);
   assert.equal(region.toGeoJSON().type, "GeometryCollection");
   assert.equal(region.toGeoJSON().geometries.length, 2);
+  assert.equal(String(region), region.toWKT());
+  assert.equal(JSON.stringify(region), JSON.stringify(region.toGeoJSON()));
+  assert.ok(!region.equals(undefined));
   assert.equal(region.locate([5.5, 3]), gcv.Location.BOUNDARY);
   assert.deepEqual(region.locate([[1.5, 1.5], [1, 2], [7, 7]]), Int8Array.of(-1, 0, 1));
   assert.equal(region.polygon(0).area, 120);
@@ -106,6 +112,8 @@ test("many pairs", () => {
   assert.throws(() => gcv.minkowskiSumMany([huge], []), /a has 1 elements and b has 0/);
   const placed = gcv.noFitPolygonMany([square(1), square(1)], [square(1), square(1)], [[0, 0], [5, 0]]);
   assert.deepEqual(placed.map((face) => face.bounds[0]), [-1, 4]);
+  const atOrigin = gcv.noFitPolygonMany([square(1)], [square(1)], null);
+  assert.deepEqual(atOrigin[0].bounds, [-1, -1, 1, 1]);
   assert.equal(gcv.minkowskiSumRegionMany([sheet], [square(1)])[0].polygons.length, 1);
   assert.equal(gcv.noFitRegionMany([sheet], [square(2)])[0].segments.length, 1);
   assert.deepEqual(gcv.minkowskiSumMany([], []), []);
@@ -169,11 +177,15 @@ test("clearances", () => {
   for (const tolerance of [0, -1, NaN, undefined]) {
     assert.throws(() => gcv.offset(sheet, 1, tolerance), { message: /^tolerance: .* is not a / });
   }
-  for (const [place, tolerance] of [[0, 1e-17], [1e9, 1e-7]]) {
-    const far = new gcv.Polygon(square(1)).translated([place, 0]);
-    assert.throws(() => gcv.offset(far, 0.3, tolerance), {
+  const far = new gcv.Polygon(square(1)).translated([1e9, 0]);
+  for (const [polygon, tolerance, reason] of [
+    [far, 1e-7, "the roundings of these coordinates to doubles"],
+    [sheet, 3e-14, "a distance of 0.3: its disc has too many vertices"],
+    [sheet, 1e-17, "a distance of 0.3: its disc has too many vertices"],
+  ]) {
+    assert.throws(() => gcv.offset(polygon, 0.3, tolerance), {
       name: "InputError",
-      message: /^tolerance: .* is too small for the roundings/,
+      message: `tolerance: ${tolerance} is too small for ${reason}`,
     });
   }
   assert.throws(() => gcv.offset([[0, 0]], 1, 0.1), { message: /^polygon: / });

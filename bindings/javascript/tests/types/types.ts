@@ -26,12 +26,19 @@ const region: gcv.Region = new gcv.Scene(polygon).freeRegion(pairs, null, { leav
 const place: gcv.Location = region.locate([0, 0]);
 const places: Int8Array = region.locate(pairs);
 const best: gcv.Point | null = new gcv.Scene(polygon).best(pairs, [-1, 0], { ignore: [2, 3] });
+const text: string = `${polygon}`;
+const json: gcv.GeoJSONPolygon = polygon.toJSON();
+const parts: gcv.GeoJSONMultiPolygon | gcv.GeoJSONGeometryCollection = region.toJSON();
 const grown: gcv.Region = gcv.offset(polygon, 1, 0.1, { progress: () => false });
-export { best, faces, grown, many, one, place, places, results };
+export { best, faces, grown, json, many, one, parts, place, places, results, text };
 
 // @ts-expect-error: only the library makes outer faces.
 new gcv.OuterFace();
 // @ts-expect-error: there is no such rounding.
 gcv.minkowskiSum(polygon, polygon, { rounding: "up" });
+// @ts-expect-error: outer faces have all of their parts.
+gcv.minkowskiSum(polygon, polygon, { leaveOut: "fits" });
+// @ts-expect-error: these are contacts, not pairs.
+new gcv.Scene().pairs(0, new gcv.Scene().contacts());
 // @ts-expect-error: a translation is a pair.
 gcv.relation(polygon, polygon, [1, 2, 3]);
