@@ -19,6 +19,7 @@
 #include <iostream>
 #include <iterator>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz.hpp"
@@ -60,13 +61,17 @@ RandomInput random_input(std::uint64_t seed) {
   return words;
 }
 
-// The seed of the input that is run, for the handler of signals.
+// How to run the input again that is run.
 std::array<char, 64> repetition{};
 
+// The exit code is 1, whatever ends the process.
 void report_and_exit(int) {
-  const std::string_view text(repetition.data());
-  const auto written = write(STDERR_FILENO, text.data(), text.size());
-  _exit(written < 0 ? 2 : 1);
+  bool is_written = true;
+  for (const std::string_view text :
+       {std::string_view(gcv::fuzz::current_case), std::string_view(repetition.data())}) {
+    is_written = write(STDERR_FILENO, text.data(), text.size()) >= 0 && is_written;
+  }
+  _exit(is_written ? 1 : 2);
 }
 
 void soak(std::uint64_t seed, std::uint64_t count) {
@@ -75,7 +80,7 @@ void soak(std::uint64_t seed, std::uint64_t count) {
   }
   const auto start = std::chrono::steady_clock::now();
   for (std::uint64_t k = 0; k < count; ++k) {
-    std::snprintf(repetition.data(), repetition.size(), "failed: soak %llu 1\n",
+    std::snprintf(repetition.data(), repetition.size(), "\nfailed: soak %llu 1\n",
                   static_cast<unsigned long long>(seed + k));
     const RandomInput words = random_input(seed + k);
     LLVMFuzzerTestOneInput(reinterpret_cast<const std::uint8_t*>(words.data()), sizeof words);
