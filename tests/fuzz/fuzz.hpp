@@ -51,8 +51,14 @@ class Input {
   std::size_t left_;
 };
 
+// The case that is checked, as text, where the target says so. What is left of it when the process
+// ends has not been printed.
+inline std::string current_case;
+
 [[noreturn]] inline void fail(const std::string& sentence) {
-  std::fprintf(stderr, "%s\n  last error: \"%s\"\n", sentence.c_str(), gcv_last_error_message());
+  std::fprintf(stderr, "%s%s\n  last error: \"%s\"\n", sentence.c_str(), current_case.c_str(),
+               gcv_last_error_message());
+  current_case.clear();
   std::abort();
 }
 

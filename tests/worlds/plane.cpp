@@ -74,6 +74,48 @@ std::vector<Convex> triangles(const std::vector<Point>& points, const Polygon& p
   return found;
 }
 
+bool is_upright(const Polygon& polygon) {
+  const std::vector<Edge> all = edges(polygon);
+  return std::all_of(all.begin(), all.end(),
+                     [](Edge e) { return e.from.x == e.to.x || e.from.y == e.to.y; });
+}
+
+Convex box(Point low, Point high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
+
+// What of the box of an upright polygon is inside, or outside of it, cut at the heights of all
+// vertices.
+std::vector<Convex> rectangles(const std::vector<Point>& points, const Polygon& polygon,
+                               bool inside) {
+  std::vector<Int> heights;
+  for (const Point& p : points) {
+    heights.push_back(p.y);
+  }
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  const auto [low, high] = bounds(points);
+  std::vector<Convex> found;
+  for (std::size_t k = 1; k < heights.size(); ++k) {
+    const Int bottom = heights[k - 1];
+    const Int top = heights[k];
+    std::vector<Int> walls;
+    if (!inside) {
+      walls = {low.x, high.x};
+    }
+    for (const Edge& e : edges(polygon)) {
+      if (std::min(e.from.y, e.to.y) <= bottom && std::max(e.from.y, e.to.y) >= top) {
+        walls.push_back(e.from.x);
+      }
+    }
+    std::sort(walls.begin(), walls.end());
+    for (std::size_t i = 0; i < walls.size(); i += 2) {
+      if (walls[i] < walls[i + 1]) {
+        found.push_back(box({walls[i], bottom}, {walls[i + 1], top}));
+      }
+    }
+  }
+  return found;
+}
+
 std::vector<Point> vertices(const Polygon& polygon) {
   std::vector<Point> points;
   for (const Ring& ring : polygon) {
@@ -81,8 +123,6 @@ std::vector<Point> vertices(const Polygon& polygon) {
   }
   return points;
 }
-
-Convex box(Point low, Point high) { return {low, {high.x, low.y}, high, {low.x, high.y}}; }
 
 }  // namespace
 
@@ -196,11 +236,15 @@ bool meet(const Convex& a, const Convex& b) {
 }
 
 std::vector<Convex> inner_pieces(const Polygon& polygon) {
-  return triangles(vertices(polygon), polygon, true);
+  const std::vector<Point> points = vertices(polygon);
+  return is_upright(polygon) ? rectangles(points, polygon, true) : triangles(points, polygon, true);
 }
 
 std::vector<Convex> outer_pieces(const Polygon& polygon) {
   std::vector<Point> points = vertices(polygon);
+  if (is_upright(polygon)) {
+    return rectangles(points, polygon, false);
+  }
   const auto [low, high] = bounds(points);
   for (const Point& corner : box(low, high)) {
     if (std::find(points.begin(), points.end(), corner) == points.end()) {

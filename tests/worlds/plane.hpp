@@ -63,7 +63,8 @@ using Convex = std::vector<Point>;
 // Do the interiors of two convex polygons meet, or that of one and a segment?
 bool meet(const Convex& a, const Convex& b);
 
-// Triangles that make up a polygon, without overlaps.
+// Triangles that make up a polygon, without overlaps; or rectangles, where all edges are upright or
+// level.
 std::vector<Convex> inner_pieces(const Polygon& polygon);
 
 // Convex polygons that make up all that is outside of a polygon but in its box.
