@@ -20,7 +20,6 @@ enum class Relation : std::int8_t { apart = 1, touching = 0, overlapping = -1 };
 // A polygon, prepared for questions about it. It must live longer. Its solid is connected and
 // bounded; or it is a complement, as that of a container.
 struct PreparedPolygon {
-  explicit PreparedPolygon(const Polygon& polygon) : PreparedPolygon(polygon.boundary()) {}
   explicit PreparedPolygon(const Boundary& of) : boundary(of), touches(touches_of(boundary)) {}
 
   const Boundary& boundary;

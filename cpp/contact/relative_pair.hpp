@@ -23,8 +23,6 @@ class RelativePair {
 
   // A power of two by which all lengths are multiplied, so that their squares are in range.
   [[nodiscard]] double scale() const { return scale_; }
-  // How far a distance may be off.
-  [[nodiscard]] double slack() const { return slack_; }
 
   // The start of an edge of A or B, and its end.
   struct Ends {

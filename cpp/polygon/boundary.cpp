@@ -2,7 +2,6 @@
 #include "boundary.hpp"
 
 #include <algorithm>
-#include <boost/container/small_vector.hpp>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +26,7 @@ struct Chain {
     int turn;
   };
   PointVector points;
-  boost::container::small_vector<Mark, 32> marks;
+  Buffer<Mark> marks;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return cyclic_next(i, size()); }
@@ -53,8 +52,7 @@ Chain without_repetitions(PointVector boundary, const CallersNumbers& numbers) {
   while (count > 1 && boundary[count - 1] == boundary[0]) {
     --count;
   }
-  Chain chain{std::move(boundary), {}};
-  chain.marks.resize(count, boost::container::default_init);
+  Chain chain{std::move(boundary), Buffer<Chain::Mark>(count)};
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Point p = chain.points[i];

@@ -28,11 +28,6 @@ class ExactVertex {
     }
   }
 
-  ExactVertex(const ExactRing& ring, std::size_t k)
-      : ExactVertex(*ring.a.ring, *ring.b.ring, ring.vertices[k], ring.shift) {}
-
-  [[nodiscard]] bool is_sum() const { return vertex_.is_sum(); }
-  [[nodiscard]] const SumPoint& sum() const { return sum_; }
   [[nodiscard]] const Grid& grid() const { return grid_; }
 
   // The bits of x, y and w in homogeneous().
