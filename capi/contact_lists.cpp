@@ -87,10 +87,13 @@ gcv_status gcv_contacts(const gcv_polygon* a, const gcv_polygon* b, const double
     task.begin(std::uint64_t{pair.a.boundary.size()} + pair.b.boundary.size());
     Tally tally;
     SceneContactList list{{}, distance, slope, {}, {}};
-    for (const gcv::Contact& contact :
-         near_contacts(PlacedPair(pair, translation[0]), distance, slope, task, tally)) {
+    const std::vector<gcv::Contact> contacts =
+        near_contacts(PlacedPair(pair, translation[0]), distance, slope, task, tally);
+    list.contacts.reserve(contacts.size());
+    for (const gcv::Contact& contact : contacts) {
       list.contacts.push_back({0, 0, contact});
     }
+    task.poll();
     list.previous.assign(list.contacts.size(), gcv::no_previous);
     std::unique_ptr<gcv_contact_list> result(new_list(std::move(list)));
     task.finish();

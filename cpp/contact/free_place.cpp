@@ -185,6 +185,9 @@ class NearestFree : public BestFree<NearestFree> {
   const Point relative_;
 };
 
+// A step takes some microseconds.
+constexpr std::uint64_t steps_a_poll = 1U << 12;
+
 // Furthest in a direction.
 class FurthestFree : public BestFree<FurthestFree> {
  public:
@@ -241,7 +244,9 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
         best.reach(), [&](const PairEdge& s) { return known_.hold(s); },
         [&](const PairEdge& s) { cover_.walk(s, best); },
         [&] {
-          ++last_steps_;
+          if (++last_steps_ % steps_a_poll == 0) {
+            task.poll();
+          }
           task.advance(step);
         });
   }

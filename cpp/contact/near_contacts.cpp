@@ -121,9 +121,15 @@ std::vector<Contact> near_contacts(const PlacedPair& placed, double distance, do
                                    Task& task, Tally& tally) {
   std::vector<Contact> contacts =
       std::move(NearContacts(placed, distance, slope, task, tally).contacts());
+  constexpr std::uint64_t comparisons_a_poll = 1U << 18;
+  std::uint64_t compared = 0;
   const auto key = [](const Contact& c) { return std::tuple(std::abs(c.gap), c.kind, c.a, c.b); };
-  std::sort(contacts.begin(), contacts.end(),
-            [&](const Contact& p, const Contact& q) { return key(p) < key(q); });
+  std::sort(contacts.begin(), contacts.end(), [&](const Contact& p, const Contact& q) {
+    if (++compared % comparisons_a_poll == 0) {
+      task.poll();
+    }
+    return key(p) < key(q);
+  });
   return contacts;
 }
 
