@@ -92,10 +92,18 @@ def geometry_of_text(text: bytes) -> Optional[Any]:
     """What GeoJSON text says; None for text of another kind."""
     if not text.lstrip().startswith(b"{"):
         return None
+    return read_json(text, "polygon")
+
+
+def read_json(text: bytes, name: str) -> Any:
+    """What GeoJSON text of that name says."""
     try:
         return json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise InputError(PARSE, f"polygon: GeoJSON text: {error}") from None
+    except ValueError as error:
+        reason = str(error)
+    except RecursionError:
+        reason = "it is nested too deeply"
+    raise InputError(PARSE, f"{name}: GeoJSON text: {reason}")
 
 
 def of_one_part(text: bytes) -> bytes:

@@ -13,10 +13,9 @@ from typing import Any, Optional
 from xml.etree import ElementTree
 
 from ._coordinates import Points
-from ._named import NamedPolygon, Reading, curve, invalid, package, too_fine
+from ._named import NUMBER, NamedPolygon, Reading, curve, invalid, package, too_fine
 from ._nested_rings import Ring, polygons_of_rings
 
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
 _NUMBERS = {"Z": 0, "H": 1, "V": 1, "M": 2, "L": 2, "T": 2, "Q": 4, "S": 4, "C": 6, "A": 7}
 """How many numbers each command of path data takes."""
 _LEAST_LINES = 2
@@ -112,9 +111,9 @@ def _check_path_data(data: str, name: str) -> None:
 
 def _is_numbers(text: str, count: int) -> bool:
     """Whether a text is numbers, a multiple of so many."""
-    if re.sub(_NUMBER, "", text).strip(" \t\r\n\f,"):
+    if re.sub(NUMBER, "", text).strip(" \t\r\n\f,"):
         return False
-    numbers = len(re.findall(_NUMBER, text))
+    numbers = len(re.findall(NUMBER, text))
     return numbers % count == 0 if count else numbers == 0
 
 
