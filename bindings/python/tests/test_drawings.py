@@ -17,6 +17,8 @@ from test_files import NOT_HERE, error, read
 
 import gcv
 
+BAR = '<rect width="3" height="2"'
+
 
 def svg(body: str) -> str:
     return f'<svg xmlns="http://www.w3.org/2000/svg" width="9cm" viewBox="0 0 5 5">{body}</svg>'
@@ -47,6 +49,22 @@ class TestSvg:
                 '<polygon transform="rotate(90)" points="1,0 2,0 2,1"/>',
                 [[(0, -1), (0, -2), (-1, -2)]],
             ),
+            (f'{BAR} transform="rotate(90)"/>', [[(0, 0), (0, -3), (-2, -3), (-2, 0)]]),
+            (f'{BAR} transform="skewX(45)"/>', [[(0, 0), (3, 0), (5, -2), (2, -2)]]),
+            (f'{BAR} transform="scale(-1,1)"/>', [[(0, 0), (-3, 0), (-3, -2), (0, -2)]]),
+            (
+                f'{BAR} transform="matrix(0 1 -1 0 0 0)"/>',
+                [[(0, 0), (0, -3), (-2, -3), (-2, 0)]],
+            ),
+            (
+                f'<g transform="rotate(90)">{BAR} transform="translate(1)"/></g>',
+                [[(0, -1), (0, -4), (-2, -4), (-2, -1)]],
+            ),
+            ('<rect width="50%" height="20%"/>', [[(0, -1), (2.5, -1), (2.5, 0), (0, 0)]]),
+            (
+                '<rect x="40%" width="1in" height="72pt" transform="rotate(90deg)"/>',
+                [[(0, -2), (0, -98), (-96, -98), (-96, -2)]],
+            ),
             (
                 '<symbol id="s"><rect width="1" height="1"/></symbol><use href="#s" x="3"/>',
                 [[(3, -1), (4, -1), (4, 0), (3, 0)]],
@@ -63,7 +81,7 @@ class TestSvg:
         found = read(tmp_path, svg(body))
         assert len(found) == len(expected)
         for polygon, ring in zip(found, expected):
-            assert numpy.allclose(polygon.vertices, gcv.Polygon(ring).vertices, rtol=0, atol=1e-9)
+            assert gcv.Polygon(polygon.vertices.round(9)) == gcv.Polygon(ring)
 
     @pytest.mark.parametrize(
         ("rule", "inner", "holes"),
@@ -100,10 +118,71 @@ class TestSvg:
             ('<path d="M0 0H2V2z M0 0 L5 5 5 0 0 5z"/>', "path, ring 1: edges "),
             ('<path d="M0 0H4V4H0z M2 2H6V6H2z"/>', "path, ring "),
             ("<g>", "SVG: mismatched tag"),
+            ('<rect id="r" width="-1" height="2"/>', "rect 'r': width is -1, and below 0"),
+            ('<rect width="abc" height="2"/>', "rect: width is 'abc', and no length"),
+            ('<rect width="2" height="2em"/>', "rect: height is '2em', and no length"),
+            ('<circle cx="1_0" r="1"/>', "circle: cx is '1_0', and no length"),
+            (f'{BAR} transform="bogus(1)"/>', "rect: 'bogus(1)' is no transform"),
+            (f'{BAR} transform="scale(2) x"/>', "rect: 'x' is no transform"),
+            (f'{BAR} transform="translate(NaN 0)"/>', "rect: 'translate(NaN 0)' is no transform"),
+            (f'{BAR} transform="rotate(1 2)"/>', "rect: 'rotate(1 2)' is no transform"),
+            ('<svg viewBox="0 0 1"/>', "SVG: the viewBox '0 0 1' is not four numbers"),
+            (f'<svg>{BAR} x="1%"/></svg>', "rect: x is 1%, of a drawing without a viewBox"),
+            ('<use id="u" href="#u"/>', "SVG: this is nested too deeply, or uses itself"),
+            ("<g>" * 5000 + "</g>" * 5000, "SVG: this is nested too deeply, or uses itself"),
         ],
     )
     def test_errors(self, tmp_path: Path, body: str, reason: str) -> None:
         assert error(tmp_path, svg(body)).startswith(reason)
+
+    def test_other_drawings(self, tmp_path: Path) -> None:
+        reason = "SVG: this is a drawing of 'html', not of 'svg'"
+        assert error(tmp_path, "<html></html>") == reason
+
+    def test_what_draws_nothing(self, tmp_path: Path) -> None:
+        nothing = '<rect width="3"/><rect width="0" height="1"/><circle/><ellipse rx="auto"/>'
+        hidden = '<defs><circle/></defs><g display="none"><circle/></g>'
+        body = f'{nothing}{hidden}<use href="#no"/><use/>{BAR} id="r"/><use href="#r" x="4"/>'
+        run = run_program(tmp_path, "simplify", "-", "--tolerance", "0", text=svg(body))
+        left_out = "left out: 2 rect, 1 circle, 1 ellipse, 2 use"
+        assert run.stderr == f"gcv: standard input: {left_out}\n"
+        assert run.stdout.count("\n") == 2
+
+    @pytest.mark.parametrize("distance", [1e-4, 0.1])
+    @pytest.mark.parametrize(
+        ("body", "shape"),
+        [
+            ('<circle r="10" transform="{}"/>', [1, 0, 0, 1]),
+            ('<path d="M-10 0A10 10 0 0 0 10 0A10 10 0 0 0-10 0z" transform="{}"/>', [1, 0, 0, 1]),
+            ('<ellipse rx="10" ry="5" transform="{}"/>', [1, 0, 0, 0.5]),
+            ('<ellipse rx="10" transform="{}"/>', [1, 0, 0, 1]),
+        ],
+    )
+    @pytest.mark.parametrize(
+        ("transform", "matrix"),
+        [
+            ("rotate(90)", [0, 1, -1, 0]),
+            ("skewX(45)", [1, -1, 0, 1]),
+            ("matrix(1 1 0 3 0 0)", [1, 0, -1, 3]),
+        ],
+    )
+    def test_transformed_curves(
+        self,
+        tmp_path: Path,
+        body: str,
+        shape: list[float],
+        transform: str,
+        matrix: list[float],
+        distance: float,
+    ) -> None:
+        """The unit circle, taken back from what is read, is one again."""
+        (polygon,) = read(tmp_path, svg(body.format(transform)), "--flatten", str(distance))
+        inverse = numpy.linalg.inv(numpy.reshape(matrix, (2, 2)) @ numpy.reshape(shape, (2, 2)))
+        vertices = polygon.vertices @ inverse.T
+        assert numpy.allclose(numpy.hypot(*vertices.T), 10, rtol=0, atol=1e-9)
+        middles = (vertices + numpy.roll(vertices, 1, axis=0)) / 2
+        assert (10 - numpy.hypot(*middles.T)).max() <= distance * numpy.linalg.norm(inverse, 2)
+        assert len(polygon) < 8 + 40 / distance**0.5
 
     def test_what_is_left_out(self, tmp_path: Path) -> None:
         body = '<text>A</text><line x2="1" y2="1"/><rect width="1" height="1"/>'
