@@ -116,7 +116,10 @@ class TestSvg:
             ('<polygon id="q" points="0,0 1,0 1"/>', "polygon 'q': the points are not pairs"),
             ('<polygon points="0 0 2 2 2 0 0 2"/>', "polygon: edges "),
             ('<path d="M0 0H2V2z M0 0 L5 5 5 0 0 5z"/>', "path, ring 1: edges "),
-            ('<path d="M0 0H4V4H0z M2 2H6V6H2z"/>', "path, ring "),
+            (
+                '<path d="M0 0H4V4H0z M2 2H6V6H2z"/>',
+                "path, ring 1 and standard input: path, ring 0: rings 0 and 1 ",
+            ),
             ("<g>", "SVG: mismatched tag"),
             ('<rect id="r" width="-1" height="2"/>', "rect 'r': width is -1, and below 0"),
             ('<rect width="abc" height="2"/>', "rect: width is 'abc', and no length"),
@@ -179,9 +182,7 @@ class TestSvg:
         (polygon,) = read(tmp_path, svg(body.format(transform)), "--flatten", str(distance))
         inverse = numpy.linalg.inv(numpy.reshape(matrix, (2, 2)) @ numpy.reshape(shape, (2, 2)))
         vertices = polygon.vertices @ inverse.T
-        assert numpy.allclose(numpy.hypot(*vertices.T), 10, rtol=0, atol=1e-9)
-        middles = (vertices + numpy.roll(vertices, 1, axis=0)) / 2
-        assert (10 - numpy.hypot(*middles.T)).max() <= distance * numpy.linalg.norm(inverse, 2)
+        check_circle(vertices, distance * float(numpy.linalg.norm(inverse, 2)))
         assert len(polygon) < 8 + 40 / distance**0.5
 
     def test_what_is_left_out(self, tmp_path: Path) -> None:
@@ -214,6 +215,13 @@ class TestSvg:
         for x, y in parabola.vertices.tolist():
             assert abs(y - 2 * x * (10 - x) / 10) < 1e-9
         assert 0 < 10 * 5 * 2 / 3 - parabola.area < 10 * 0.001
+
+
+def check_circle(vertices: Any, distance: float) -> None:
+    """All vertices are on the circle of radius 10, and all edges within the distance of it."""
+    assert numpy.allclose(numpy.hypot(*vertices.T), 10, rtol=0, atol=1e-9)
+    middles = (vertices + numpy.roll(vertices, 1, axis=0)) / 2
+    assert (10 - numpy.hypot(*middles.T)).max() <= distance
 
 
 def check_disc(polygon: gcv.Polygon, radius: float, distance: float) -> None:
@@ -266,6 +274,71 @@ class TestDxf:
         (polygon,) = read(tmp_path, dxf(drawing))
         assert polygon == gcv.Polygon([(10.5, 20), (12.5, 20), (10.5, 18)])
 
+    def test_nested_blocks(self, tmp_path: Path, drawing: Any) -> None:
+        drawing.blocks.new("part").add_lwpolyline([(0, 0), (1, 0), (0, 1)], close=True)
+        turned = {"rotation": 90, "column_count": 2, "column_spacing": 3}
+        drawing.blocks.new("pair").add_blockref("part", (1, 0), dxfattribs=turned)
+        drawing.modelspace().add_blockref("pair", (10, 0), dxfattribs={"xscale": 2})
+        found = read(tmp_path, dxf(drawing))
+        rings = [(12, 0), (12, 1), (10, 0)], [(12, 3), (12, 4), (10, 3)]
+        rounded = [gcv.Polygon(polygon.vertices.round(9)) for polygon in found]
+        assert rounded == list(map(gcv.Polygon, rings))
+
+    def test_blocks_in_themselves(self, tmp_path: Path, drawing: Any) -> None:
+        block = drawing.blocks.new("part")
+        block.add_lwpolyline([(0, 0), (1, 0), (0, 1)], close=True)
+        block.add_blockref("part", (1, 1))
+        drawing.modelspace().add_blockref("part", (0, 0))
+        reason = "DXF: a block is in itself, or nested too deeply"
+        assert error(tmp_path, dxf(drawing)) == reason
+
+    @pytest.mark.parametrize("distance", [1e-4, 0.1])
+    @pytest.mark.parametrize("scale", [{"xscale": 3.0}, {"yscale": -0.5, "rotation": 30.0}])
+    @pytest.mark.parametrize("is_circle", [False, True])
+    def test_curves_in_blocks(
+        self,
+        tmp_path: Path,
+        drawing: Any,
+        is_circle: bool,
+        scale: dict[str, float],
+        distance: float,
+    ) -> None:
+        block = drawing.blocks.new("part")
+        if is_circle:
+            block.add_circle((0, 0), 10)
+        else:
+            block.add_lwpolyline([(-10, 0, 1), (10, 0, 1)], "xyb", close=True)
+        block.add_lwpolyline([(-10, 20), (10, 20), (0, 30)], close=True)
+        drawing.modelspace().add_blockref("part", (5, 6), dxfattribs=scale)
+        polygon, _ = read(tmp_path, dxf(drawing), "--flatten", str(distance))
+        angle = numpy.radians(scale.get("rotation", 0))
+        x, y = (polygon.vertices - (5, 6)).T
+        x, y = (
+            x * numpy.cos(angle) + y * numpy.sin(angle),
+            y * numpy.cos(angle) - x * numpy.sin(angle),
+        )
+        inverse = 1 / numpy.array([scale.get("xscale", 1), scale.get("yscale", 1)])
+        vertices = numpy.column_stack([x, y]) * inverse
+        check_circle(vertices, distance * abs(inverse).max())
+        assert len(polygon) < 8 + 60 / distance**0.5
+
+    def test_binary(self, tmp_path: Path, drawing: Any) -> None:
+        drawing.modelspace().add_lwpolyline([(0, 0), (4, 0), (0, 3)], close=True)
+        drawing.saveas(tmp_path / "binary.dxf", fmt="bin")
+        run = run_program(tmp_path, "simplify", "binary.dxf", "--tolerance", "0")
+        reason = "DXF: this is binary; only DXF that is text is read"
+        assert (run.stderr, run.returncode) == (f"gcv: binary.dxf: {reason}\n", 1)
+
+    @pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
+    def test_damaged(self, tmp_path: Path, drawing: Any, share: float) -> None:
+        for k in range(100):
+            ring = [(k, 0), (k + 0.5, 0), (k, 3)]
+            drawing.modelspace().add_lwpolyline(ring, close=True)
+        text = dxf(drawing)
+        reason = "DXF: this ends before the end of the drawing, EOF"
+        assert error(tmp_path, text[: int(share * len(text))]) == reason
+        assert len(read(tmp_path, text + "\r\n\x1a")) == 100
+
     def test_curves(self, tmp_path: Path, drawing: Any) -> None:
         space = drawing.modelspace()
         circle = space.add_circle((0, 0), 10)
@@ -315,4 +388,6 @@ class TestDxf:
         space = drawing.modelspace()
         space.add_lwpolyline([(0, 0), (4, 0), (4, 4), (0, 4)], close=True)
         space.add_lwpolyline([(2, 2), (5, 2), (5, 5), (2, 5)], close=True)
-        assert error(tmp_path, dxf(drawing)).startswith("LWPOLYLINE ")
+        text = error(tmp_path, dxf(drawing))
+        assert text.count("LWPOLYLINE ") == 2
+        assert " of layer '0': rings 0 and 1 " in text
