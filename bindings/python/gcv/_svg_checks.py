@@ -74,6 +74,8 @@ def check(root: Element, file: str, left_out: Counter[str]) -> None:
             raise invalid(name, "the points are not pairs of numbers")
         if element is not root:
             _check_lengths(element, kind, box, name)
+            if kind == "svg":
+                _place_drawing(element, box, name)
         is_empty = any(float(element.get(size, "0")) == 0 for size in _SIZES.get(kind, ()))
         if kind == "use":
             target = next(filter(None, map(element.get, _HREFS)), "")
@@ -132,6 +134,27 @@ def _check_lengths(element: Element, kind: str, box: Box, name: str) -> None:
             element.set(attribute, "0")
         else:
             element.attrib.pop(attribute, None)
+
+
+def _place_drawing(element: Element, box: Box, name: str) -> None:
+    """Make a drawing inside of another one a group of it, with its place as a transform.
+
+    svgelements has its place right without a viewBox alone.
+    """
+    if element.get("viewBox") is not None:
+        for attribute, whole in zip(("width", "height"), box or (None, None)):
+            if whole is None and element.get(attribute) is None:
+                raise invalid(name, f"{attribute} is missing, in a drawing without a viewBox")
+            element.set(attribute, element.get(attribute, repr(whole)))
+    space, _ = tag(element)
+    inner = Element(element.tag, element.attrib)
+    place = f"translate({inner.attrib.pop('x', 0)} {inner.attrib.pop('y', 0)})"
+    transform = f"{inner.attrib.pop('transform', '')} {place}"
+    inner.extend(element)
+    element.clear()
+    element.tag = f"{space}g"
+    element.set("transform", transform)
+    element.append(inner)
 
 
 _PIXELS = {"": 1, "px": 1, "pt": 4 / 3, "pc": 16, "mm": 96 / 25.4, "cm": 96 / 2.54, "in": 96}

@@ -66,6 +66,11 @@ class TestSvg:
                 [[(0, -2), (0, -98), (-96, -98), (-96, -2)]],
             ),
             (
+                f'<svg x="1" y="20%" width="10" viewBox="1 1 2 1">{BAR}/></svg>',
+                [[(-4, 4), (11, 4), (11, -6), (-4, -6)]],
+            ),
+            (f'<svg x="1">{BAR}/></svg>', [[(1, -2), (4, -2), (4, 0), (1, 0)]]),
+            (
                 '<symbol id="s"><rect width="1" height="1"/></symbol><use href="#s" x="3"/>',
                 [[(3, -1), (4, -1), (4, 0), (3, 0)]],
             ),
@@ -131,6 +136,7 @@ class TestSvg:
             (f'{BAR} transform="rotate(1 2)"/>', "rect: 'rotate(1 2)' is no transform"),
             ('<svg viewBox="0 0 1"/>', "SVG: the viewBox '0 0 1' is not four numbers"),
             (f'<svg>{BAR} x="1%"/></svg>', "rect: x is 1%, of a drawing without a viewBox"),
+            (f'<svg><svg viewBox="0 0 1 1">{BAR}/></svg></svg>', "svg: width is missing, in a"),
             ('<use id="u" href="#u"/>', "SVG: this is nested too deeply, or uses itself"),
             ("<g>" * 5000 + "</g>" * 5000, "SVG: this is nested too deeply, or uses itself"),
         ],
