@@ -13,7 +13,7 @@ from ._ffi import PARSE, InputError
 from ._named import NUMBER, NamedPolygon, Reading, make
 
 _TAG = re.compile(
-    rb"\s*(?P<multi>MULTI|)(?P<kind>POLYGON|POINT|LINESTRING|GEOMETRYCOLLECTION)"
+    rb"\s*(?P<multi>MULTI|)(?P<kind>POLYGON|POINT|LINESTRING|(?<!MULTI)GEOMETRYCOLLECTION)"
     rb"\s*(?P<elevation>(?:ZM|Z|M)?)\s*(?:(?P<open>\()|(?P<empty>EMPTY\b))",
     re.IGNORECASE,
 )
@@ -118,7 +118,7 @@ class _Reader:
 
     def _polygon(self, name: bytes) -> _Text:
         start = self._place - 1
-        self._place = _closing(self._text, self._place, len(self._text))
+        self._place = _closing(self._text, self._place)
         return _Text(name, start, self._place)
 
     def _vertices(self) -> None:
@@ -147,14 +147,14 @@ class _Reader:
         return InputError(PARSE, f"{self._file}: byte {place}: expected {what}")
 
 
-def _closing(text: bytes, start: int, end: int) -> int:
+def _closing(text: bytes, start: int) -> int:
     """Where what was opened before start is closed; the end where it is not."""
     depth = 1
-    for bracket in _BRACKET.finditer(text, start, end):
+    for bracket in _BRACKET.finditer(text, start):
         depth += 1 if bracket[0] == b"(" else -1
         if depth == 0:
             return bracket.end()
-    return end
+    return len(text)
 
 
 def polygons_of_geojson(text: bytes, reading: Reading) -> list[NamedPolygon]:

@@ -108,6 +108,7 @@ def test_many_in_text(tmp_path: Path) -> None:
         (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}) POINT (0 0))", "byte 46: expected ',' or ')'"),
         (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}", "byte 44: expected ',' or ')'"),
         (f"GEOMETRYCOLLECTION (POLYGON ({CORNER})))", "polygon 1: byte 46: expected POLYGON"),
+        (f"MULTIGEOMETRYCOLLECTION (POLYGON ({CORNER}))", "polygon: byte 0: expected POLYGON"),
         ("GEOMETRYCOLLECTION ()", "byte 20: expected a geometry"),
         ("GEOMETRYCOLLECTION (" * 5000, "byte 100000: expected a geometry"),
         (f"{PLATE.wkt} POLYGON ((0 0, 2 2, 2 0, 0 2))", "polygon 1: edges 0 and 2"),
