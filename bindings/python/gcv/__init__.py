@@ -13,12 +13,12 @@ change, and has a lock. The work is done outside Python's global lock. All of th
 pickled, and travel to other processes.
 """
 
-from typing import TYPE_CHECKING
+import typing as _typing
 
 from ._call import LeaveOut, Progress, Rounding
 from ._contact_list import ContactList, contacts
+from ._contacts import DTYPES as _DTYPES
 from ._contacts import (
-    DTYPES,
     Contact,
     ContactKind,
     Escape,
@@ -26,8 +26,8 @@ from ._contacts import (
     Pair,
     Relation,
     Separation,
-    dtype_of,
 )
+from ._contacts import dtype_of as _dtype_of
 from ._facts import (
     EDGE_CORNER,
     EDGE_TRANSLATED,
@@ -73,7 +73,7 @@ from ._sums import (
 )
 from ._two_polygons import cast, distance, penetration, relation
 
-if TYPE_CHECKING:
+if _typing.TYPE_CHECKING:
     import numpy
 
     CONTACT_DTYPE: numpy.dtype[numpy.void]
@@ -90,10 +90,10 @@ else:
 
     def __getattr__(name: str) -> object:
         """The dtypes, which are made when they are asked for: only then is numpy needed."""
-        if name not in DTYPES:
+        if name not in _DTYPES:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         try:
-            return dtype_of(DTYPES[name])
+            return _dtype_of(_DTYPES[name])
         except ImportError:
             raise AttributeError(f"{__name__}.{name} takes numpy, which is not here") from None
 

@@ -7,11 +7,12 @@ from __future__ import annotations
 from array import array
 from typing import Any, Optional
 
-from ._coordinates import Points, Rings, numbers, points
+from ._coordinates import Points, Rings, check_order, numbers, points
 
 
 def six_numbers(matrix: Any) -> array[float]:
     """The numbers of a matrix of 2 rows and 3 columns, or of a flat one."""
+    check_order(matrix, "matrix")
     try:
         rows = list(matrix)
         values = [x for row in rows for x in row] if len(rows) == 2 else rows

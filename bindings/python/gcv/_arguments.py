@@ -12,7 +12,9 @@ from typing import Any, Callable
 from . import _answers, _commands, _formats
 from ._completion import SHELLS, script
 from ._ffi import LEAVE_OUTS, ROUNDINGS
+from ._named import NUMBER
 from ._sums import library_version
+from ._writing import STANDARD_OUTPUT
 
 _FILES = (
     "Files are Well-Known Text, GeoJSON, SVG or DXF, whichever they say; - is standard input. "
@@ -113,11 +115,11 @@ def parser() -> argparse.ArgumentParser:
     one = command("contacts", _commands.contact_lists, "what of A and B touches, or is near to it")
     _add_operands(one)
     one.add_argument(
-        "--distance", type=_number, default=0.0, help="how far apart contacts may be; default 0"
+        "--distance", type=_limit, default=0.0, help="how far apart contacts may be; default 0"
     )
     one.add_argument(
         "--slope",
-        type=_number,
+        type=_limit,
         default=0.0,
         metavar="TANGENT",
         help="by how much sides may be turned to touch; default 0",
@@ -127,9 +129,11 @@ def parser() -> argparse.ArgumentParser:
     one = command("offset", _commands.offsets, "A grown by a distance, or shrunk by it")
     _add_operand(one, "a")
     one.add_argument(
-        "--distance", type=_number, required=True, help="by which A grows; it shrinks below 0"
+        "--distance", type=_offset, required=True, help="by which A grows; it shrinks below 0"
     )
-    _add_tolerance(one, "how much more it may grow or shrink in places", required=True)
+    _add_tolerance(
+        one, "how much more it may grow or shrink in places", required=True, type=_distance
+    )
     _add_shape_options(one, rounding=False)
 
     one = command("simplify", _commands.simplify, "A with fewer vertices")
@@ -143,7 +147,7 @@ def parser() -> argparse.ArgumentParser:
         "a script that completes commands of gcv in a shell",
     )
     one.add_argument("shell", choices=SHELLS)
-    one.set_defaults(output=None)
+    one.set_defaults(output=STANDARD_OUTPUT)
     return program
 
 
@@ -156,7 +160,7 @@ def _add_operand(to: argparse.ArgumentParser, name: str) -> None:
     to.add_argument(name, metavar=name.upper(), help="a file of polygons")
     to.add_argument(
         f"--pick-{name}",
-        type=int,
+        type=_count,
         metavar="N",
         help=f"the polygon with this number in {name.upper()}, from 0, and no other",
     )
@@ -193,7 +197,8 @@ def _add_leave_out(to: argparse.ArgumentParser, parts: list[str]) -> None:
 
 
 def _add_tolerance(to: argparse.ArgumentParser, text: str, **keywords: Any) -> None:
-    to.add_argument("--tolerance", type=_number, metavar="DISTANCE", help=text, **keywords)
+    keywords = {"type": _limit, **keywords}
+    to.add_argument("--tolerance", metavar="DISTANCE", help=text, **keywords)
 
 
 def _add_shape_options(
@@ -244,7 +249,7 @@ def _add_question_options(to: argparse.ArgumentParser, *, positions: bool = True
 
 
 def _add_threads(to: argparse.ArgumentParser) -> None:
-    to.add_argument("--threads", type=int, default=1, metavar="N", help="0: all; default 1")
+    to.add_argument("--threads", type=_count, default=1, metavar="N", help="0: all; default 1")
 
 
 def _add_file_options(to: argparse.ArgumentParser) -> None:
@@ -254,14 +259,16 @@ def _add_file_options(to: argparse.ArgumentParser) -> None:
         metavar="DISTANCE",
         help="take lines for the curves of SVG and DXF, no further from them than this",
     )
-    to.add_argument("-o", "--output", metavar="FILE", help="print to this file")
+    to.add_argument(
+        *("-o", "--output"),
+        default=STANDARD_OUTPUT,
+        metavar="FILE",
+        help="print to this file; - is standard output",
+    )
 
 
 def _number(text: str) -> float:
-    try:
-        value = float(text)
-    except ValueError:
-        value = math.nan
+    value = float(text) if re.fullmatch(NUMBER, text.strip()) else math.nan
     if not math.isfinite(value):
         raise argparse.ArgumentTypeError(f"{text!r} is not a finite number")
     return value
@@ -272,3 +279,23 @@ def _distance(text: str) -> float:
     if value <= 0:
         raise argparse.ArgumentTypeError(f"{text!r} is not above 0")
     return value
+
+
+def _limit(text: str) -> float:
+    value = _number(text)
+    if value < 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is below 0")
+    return value
+
+
+def _offset(text: str) -> float:
+    value = _number(text)
+    if value == 0:
+        raise argparse.ArgumentTypeError(f"{text!r} is no offset")
+    return value
+
+
+def _count(text: str) -> int:
+    if not re.fullmatch("[0-9]{1,9}", text):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of at most 9 digits")
+    return int(text)

@@ -77,14 +77,41 @@ def _rows(array: Any) -> Rows:
         return _rows_of_binaries(array.cast("large_binary"))
     if any(is_a(of) for is_a in (types.is_string, types.is_large_string, types.is_string_view)):
         return list(map(_rings_of_text, array.to_pylist()))
-    levels = []
+    levels: list[Any] = []
+    gone: list[tuple[int, Any]] = []
     while types.is_list(array.type) or types.is_large_list(array.type):
         levels.append(array.offsets.to_numpy())
         array = array.values
+        gone.append((len(levels), _nulls(array)))
     coordinates = _coordinates(array)
     if coordinates is None or len(levels) not in (2, 3):
         raise invalid(f"an Arrow array of type {of} has no polygons")
-    return rows_of_levels(coordinates, levels, missing)
+    found, nulls = coordinates
+    rows = rows_of_levels(found, levels, missing)
+    for depth, numbers in [*gone, (len(levels), nulls)]:
+        for row in _rows_with(numbers, levels[:depth]):
+            if not missing[row]:
+                rows[row] = invalid("a ring, a vertex or a coordinate of it is null")
+    return rows
+
+
+def _nulls(array: Any) -> Any:
+    """The numbers of the elements that are null."""
+    import numpy
+
+    if not array.null_count:
+        return numpy.empty(0, int)
+    return numpy.flatnonzero(array.is_null().to_numpy(zero_copy_only=False))
+
+
+def _rows_with(numbers: Any, levels: list[Any]) -> Any:
+    """The rows that elements with these numbers are in, some levels of offsets below them."""
+    import numpy
+
+    for level in reversed(levels):
+        numbers = numpy.searchsorted(level, numbers, side="right") - 1
+        numbers = numbers[(numbers >= 0) & (numbers < len(level) - 1)]
+    return numbers
 
 
 def _rows_of_binaries(array: Any) -> Rows:
@@ -109,16 +136,26 @@ def _rings_of_text(text: Optional[str]) -> Union[Rings, InputError]:
         return error
 
 
-def _coordinates(array: Any) -> Any:
-    """An array of shape (n, 2) of x and y, interleaved or not; None where they are not there."""
+def _coordinates(array: Any) -> Optional[tuple[Any, Any]]:
+    """An array of shape (n, 2) of x and y, interleaved or not, and which coordinates are null.
+
+    None where they are not there.
+    """
     import numpy
     from pyarrow import types
 
     of = array.type
     if types.is_fixed_size_list(of) and of.value_type == "double" and of.list_size >= 2:
-        return array.flatten().to_numpy().reshape(-1, of.list_size)[:, :2]
+        # Flattened, it would lack the vertices that are null.
+        start, stop = (k * of.list_size for k in (array.offset, array.offset + len(array)))
+        flat = array.values[start:stop]
+        vertices, axes = numpy.divmod(_nulls(flat), of.list_size)
+        table = flat.to_numpy(zero_copy_only=False).reshape(-1, of.list_size)
+        return table[:, :2], vertices[axes < 2]
     if types.is_struct(of) and all(of.get_field_index(name) >= 0 for name in "xy"):
-        return numpy.column_stack([array.field(name).to_numpy() for name in "xy"])
+        columns = [array.field(name) for name in "xy"]
+        table = numpy.column_stack([one.to_numpy(zero_copy_only=False) for one in columns])
+        return table, numpy.concatenate(list(map(_nulls, columns)))
     return None
 
 

@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import argparse
-import os
 import sys
 from pathlib import Path
 from typing import Optional
@@ -15,6 +14,7 @@ from ._commands import UsageError
 from ._completion import subcommands
 from ._ffi import Error
 from ._files import STANDARD_INPUT
+from ._writing import STANDARD_OUTPUT, write
 
 _FAILED, _INTERRUPTED = 1, 130
 
@@ -26,15 +26,18 @@ def main(arguments: Optional[list[str]] = None) -> int:
     """
     program = parser()
     words = sys.argv[1:] if arguments is None else arguments
-    options = program.parse_args(_with_command(program, words))
+    options, unknown = program.parse_known_args(_with_command(program, words))
+    if unknown:
+        options.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
     try:
-        _write(_run(options), options.output)
+        text = _run(options)
+        write(text and text + "\n", options.output)
     except Error as error:
         return _fail(str(error))
     except BrokenPipeError:
         return _FAILED
     except OSError as error:
-        return _fail(": ".join(filter(None, (error.filename, error.strerror))))
+        return _fail(f"{error.filename or repr('')}: {error.strerror}")
     except MemoryError:
         return _fail("there is not enough memory")
     except KeyboardInterrupt:
@@ -44,10 +47,15 @@ def main(arguments: Optional[list[str]] = None) -> int:
 
 
 def _with_command(program: argparse.ArgumentParser, words: list[str]) -> list[str]:
-    """The words of the command line, with sum before those that begin with a file or an option."""
+    """The words of the command line, with sum before those that begin with a file or an option.
+
+    A word with a suffix is a file, too: it may be one that is missing.
+    """
     if not words or words[0] in (*subcommands(program), "-h", "--help", "--version"):
         return words
-    return ["sum", *words] if words[0].startswith("-") or Path(words[0]).exists() else words
+    first = Path(words[0])
+    is_file = words[0].startswith("-") or first.suffix or first.exists()
+    return ["sum", *words] if is_file else words
 
 
 def _run(options: argparse.Namespace) -> str:
@@ -56,24 +64,13 @@ def _run(options: argparse.Namespace) -> str:
     usage: argparse.ArgumentParser = options.parser
     if files.count(STANDARD_INPUT) > 1:
         usage.error("standard input can stand for one file only")
+    if STANDARD_OUTPUT == options.output == getattr(options, "svg", None):
+        usage.error("--svg - takes -o FILE: the result goes to standard output")
     try:
         text: str = options.run(options)
         return text
     except UsageError as error:
         usage.error(str(error))
-
-
-def _write(text: str, file: Optional[str]) -> None:
-    lines = text and text + "\n"
-    if file is not None:
-        Path(file).write_text(lines)
-        return
-    try:
-        print(lines, end="", flush=True)
-    except OSError:
-        # So that Python does not try once more when it ends.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        raise
 
 
 def _fail(reason: str) -> int:

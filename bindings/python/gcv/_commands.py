@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import argparse
 from ctypes import c_int8
-from pathlib import Path
 from typing import Any, Callable, Optional
 
 from . import _answers, _formats, _structs
@@ -33,6 +32,7 @@ from ._region_sums import (
 from ._scene import Scene
 from ._sums import minkowski_sum, minkowski_sum_many, no_fit_polygon, no_fit_polygon_many
 from ._two_polygons import cast, distance, penetration, relation
+from ._writing import write
 
 Options = argparse.Namespace
 
@@ -127,10 +127,7 @@ def free(options: Options) -> str:
         raise UsageError(
             f"--format {form} is not for {'a position' if options.best else 'regions'}"
         )
-    if options.best is not None and options.window is not None:
-        raise UsageError("--best takes no --window")
-    if options.container is None and (options.window is None or options.best is not None):
-        raise UsageError("without --container there is no end to what is free")
+    _check_limits(options)
     members = [member.polygon for member in polygons_of(options, "scene")]
     scene = Scene(None if options.container is None else _container(options))
     scene.add(members)
@@ -156,6 +153,22 @@ def free(options: Options) -> str:
     results = [Result(of.numbers, region, region.error_bound) for of, region in zip(moving, found)]
     _draw(options, results, [*members, *(of.polygons[0] for of in moving)], scene.container)
     return _formats.FORMATS[form](results)
+
+
+def _check_limits(options: Options) -> None:
+    if options.best is not None:
+        if options.window is not None:
+            raise UsageError("--best takes no --window")
+        if options.container is None:
+            raise UsageError("--best takes --container")
+        if not any(options.best):
+            raise UsageError("--best 0 0 is no direction")
+    elif options.window is not None:
+        left, bottom, right, top = options.window
+        if left >= right or bottom >= top:
+            raise UsageError("--window takes XMIN YMIN XMAX YMAX, the smaller ones first")
+    elif options.container is None:
+        raise UsageError("there is no end to what is free: --container or --window is needed")
 
 
 def _container(options: Options) -> Polygon:
@@ -235,7 +248,7 @@ def _draw(
         fits += more
     layers += [polygon._ring_points() for polygon in dict.fromkeys(given)]
     ground = [] if container is None else container._ring_points()
-    Path(options.svg).write_text(svg(layers, fits, ground) + "\n")
+    write(svg(layers, fits, ground) + "\n", options.svg)
 
 
 def _keywords(options: Options, *names: str) -> dict[str, Any]:

@@ -11,15 +11,21 @@ import reprlib
 import struct
 import sys
 from array import array
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence, Sized
 from itertools import accumulate, chain
-from typing import Any, Optional
+from numbers import Complex, Integral, Real
+from typing import Any, Callable, Optional
 
 from ._ffi import INVALID_ARGUMENT, NOT_FINITE, PARSE, InputError, named
 
 _DOUBLE_FORMATS = ("d", ("<" if sys.byteorder == "little" else ">") + "d")
 _NUMBER_FORMATS = (*_DOUBLE_FORMATS, *"fbBhHiIlLqQ")
 _VERTEX_BYTES = 16
+_LEAST_INEXACT = 2.0**53
+"""Below this, every integer is a float."""
+_FLOATS, _PLAIN, _LISTS = {float}, {float, int}, {list, tuple}
+_SETS = (set, frozenset)
 
 Points = list[tuple[float, float]]
 
@@ -43,13 +49,20 @@ def points(doubles: bytes) -> Points:
 
 
 def ring_in_buffer(source: Any) -> Optional[bytes]:
-    """The ring in a buffer of pairs of doubles; None for other sources."""
-    view = _buffer(source)
+    """The ring in a buffer of pairs of numbers; None for other sources, and for text."""
+    view = _buffer(source, _NUMBER_FORMATS)
     if view is None:
         return None
-    if view.nbytes % _VERTEX_BYTES != 0 or (view.shape or ())[1:] not in ((), (2,)):
-        raise invalid(f"a buffer of shape {view.shape} does not hold pairs of doubles")
-    return view.tobytes()
+    of_pairs = (view.shape or ())[1:] in ((), (2,)) and view.nbytes % (2 * view.itemsize) == 0
+    if of_pairs and view.format in _DOUBLE_FORMATS:
+        return view.tobytes()
+    if isinstance(source, (bytes, bytearray)):
+        return None
+    if not of_pairs:
+        raise invalid(f"a buffer of shape {view.shape} does not hold pairs of numbers")
+    values: Any = view.tolist()
+    pairs = values if view.ndim == 2 else zip(values[::2], values[1::2])
+    return _doubles_of_pairs(tuple(pairs), _vertex).tobytes()
 
 
 def rings_of(source: Any) -> Rings:
@@ -61,6 +74,8 @@ def rings_of(source: Any) -> Rings:
     if isinstance(geometry, Mapping):
         rings = _rings_of_geometry(geometry)
         return [_from_pairs(ring, k, elevations=True) for k, ring in enumerate(rings)]
+    if hasattr(source, "read"):
+        raise invalid("an open file is no polygon; pass what it says, or its pathlib.Path")
     return [_from_pairs(source)]
 
 
@@ -77,10 +92,18 @@ def geometry_of_text(text: bytes) -> Optional[Any]:
     """What GeoJSON text says; None for text of another kind."""
     if not text.lstrip().startswith(b"{"):
         return None
+    return read_json(text, "polygon")
+
+
+def read_json(text: bytes, name: str) -> Any:
+    """What GeoJSON text of that name says."""
     try:
         return json.loads(text)
     except ValueError as error:
-        raise InputError(PARSE, f"polygon: GeoJSON text: {error}") from None
+        reason = str(error)
+    except RecursionError:
+        reason = "it is nested too deeply"
+    raise InputError(PARSE, f"{name}: GeoJSON text: {reason}")
 
 
 def of_one_part(text: bytes) -> bytes:
@@ -127,6 +150,8 @@ def rings_of_wkt(text: bytes) -> Rings:
 
 def number(value: Any, name: str) -> float:
     """The value as a float, which the argument of that name should be."""
+    if type(value) is float:
+        return value
     (as_float,) = numbers((value,), 1, name, value, "a number")
     return as_float
 
@@ -157,46 +182,104 @@ def point_or_points(
         view = _buffer(source, _NUMBER_FORMATS)
     except InputError as error:
         raise named(error, name) from None
-    if view is not None and (view.shape or ())[-1:] == (2,) and view.ndim <= 2:
-        if view.format in _DOUBLE_FORMATS:
+    if view is not None and view.format in _DOUBLE_FORMATS:
+        if (view.shape or ())[-1:] == (2,) and view.ndim <= 2:
             return view.tobytes(), view.ndim == 1
-        if view.ndim == 2:
-            rows: Any = view.tolist()
-            return array("d", chain.from_iterable(rows)).tobytes(), False
-    try:
-        values = tuple(source)
-    except TypeError:
-        raise unfit(name, source, what) from None
+        view = None
+    values = _elements(source if view is None else view, name, what)
     if len(values) == 2 and not any(isinstance(value, Sized) for value in values):
         return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
-    return _doubles_of_pairs(values, name).tobytes(), False
+    return _doubles_of_pairs(values, lambda k: f"{name}[{k}]").tobytes(), False
 
 
-def _doubles_of_pairs(values: tuple[Any, ...], name: str) -> array[float]:
-    """The numbers of pairs, taken all at once where none of them is to blame."""
+def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
+    """What is in a sequence, all of it; a message calls it by that name, and says what it is not.
+
+    A view is taken as lists: Python cannot iterate over one of several dimensions.
+    """
+    if type(source) in _LISTS:
+        return tuple(source)
+    if isinstance(source, Mapping):
+        raise unfit(name, source, what)
+    check_order(source, name)
     try:
-        if set(map(len, values)) <= {2}:
-            return array("d", chain.from_iterable(values))
-    except (TypeError, ValueError, OverflowError):
+        elements = iter(source.tolist() if isinstance(source, memoryview) else source)
+    except (TypeError, NotImplementedError):
+        raise unfit(name, source, what) from None
+    return tuple(elements)
+
+
+def check_order(source: object, name: str) -> None:
+    """Raise InputError for a set: its order is not that in which it was written."""
+    if isinstance(source, _SETS):
+        raise unfit(name, source, "a sequence: a set has no order")
+
+
+def _doubles_of_pairs(
+    values: Sequence[Any], name: Callable[[int], str], *, elevations: bool = False
+) -> array[float]:
+    """The numbers of pairs, taken all at once where none of them is to blame.
+
+    With elevations, more than two numbers will do, and the first two are taken.
+    """
+    try:
+        kinds = set(map(type, values))
+        if kinds <= _LISTS or not any(issubclass(kind, (*_SETS, Mapping)) for kind in kinds):
+            lengths = set(map(len, values))
+            if lengths <= {2}:
+                return _floats(tuple(chain.from_iterable(values)))
+            if elevations and min(lengths) >= 2:
+                return _floats(tuple(x for value in values for x in value[:2]))
+    except (TypeError, ValueError, ArithmeticError):
         pass
     doubles = array("d")
     for k, value in enumerate(values):
-        doubles.extend(pair(value, f"{name}[{k}]"))
+        doubles.extend(_pair(value, name(k), elevations=elevations))
     return doubles
+
+
+def _pair(value: Any, name: str, *, elevations: bool) -> array[float]:
+    what = "a pair of numbers"
+    if elevations and not isinstance(value, (str, Mapping)):
+        return numbers(_elements(value, name, what)[:2], 2, name, value, what)
+    return numbers(value, 2, name, value, what)
 
 
 def numbers(values: Iterable[Any], count: int, name: str, value: object, what: str) -> array[float]:
     """The values, which should be so many numbers, as floats; value is what the caller passed."""
-    doubles = array("d")
+    elements = _elements(values, name, what)
     try:
-        doubles.extend(tuple(values))
+        doubles = _floats(elements)
     except OverflowError:
         raise _too_large(name, value) from None
+    except ArithmeticError as error:
+        raise InputError(INVALID_ARGUMENT, f"{name}: {error}") from None
     except (TypeError, ValueError):
         raise unfit(name, value, what) from None
     if len(doubles) != count:
         raise unfit(name, value, what)
     return doubles
+
+
+def _floats(values: tuple[Any, ...]) -> array[float]:
+    """The numbers as floats: each integer exactly, others to the nearest one.
+
+    Raises OverflowError for what no finite float is near to, ArithmeticError for an integer
+    that no float is, TypeError or ValueError for what is no real number.
+    """
+    kinds = set(map(type, values))
+    if not kinds <= _PLAIN and any(map(_is_complex, kinds)):
+        raise TypeError("a complex number is no coordinate")
+    doubles = array("d", values)
+    if kinds != _FLOATS and (max(doubles) >= _LEAST_INEXACT or min(doubles) <= -_LEAST_INEXACT):
+        for value, double in zip(values, doubles):
+            if isinstance(value, Integral) and int(value) != double:
+                raise ArithmeticError(f"no float is the integer {_short(int(value))}")
+    return doubles
+
+
+def _is_complex(kind: type) -> bool:
+    return issubclass(kind, Complex) and not issubclass(kind, Real)
 
 
 def unfit(name: str, value: object, what: str) -> InputError:
@@ -233,18 +316,24 @@ def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional
         raise invalid("some elements of the array are masked; leave them out first")
     try:
         view = memoryview(source)
-    except TypeError:
+    except (TypeError, ValueError):  # numpy has no buffers of times
         return None
     return view if view.format in formats else None
 
 
 def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
     """The rings of a GeoJSON object."""
-    kind = geometry.get("type") if isinstance(geometry, Mapping) else None
-    if kind == "Feature":
-        return _rings_of_geometry(geometry.get("geometry"))
-    if kind == "FeatureCollection":
-        return _rings_of_geometry(_only(geometry.get("features"), "FeatureCollection"))
+    kind = _kind(geometry)
+    while kind in ("Feature", "FeatureCollection"):
+        if kind == "Feature":
+            geometry = geometry.get("geometry")
+        else:
+            geometry = _only(geometry.get("features"), "FeatureCollection")
+        kind = _kind(geometry)
+    if kind == "GeometryCollection":
+        kinds = Counter(str(_kind(part)) for part in _sequence(geometry.get("geometries")))
+        parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
+        raise invalid(f"a GeometryCollection of {parts} is not one polygon")
     coordinates = geometry.get("coordinates") if isinstance(geometry, Mapping) else None
     if kind == "MultiPolygon":
         return _sequence(_only(coordinates, "MultiPolygon")) or [()]
@@ -255,6 +344,10 @@ def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
     if kind is None:
         raise invalid(f"{_short(geometry)} is not a geometry")
     raise invalid(f"a geometry of type {kind!r} is not a polygon")
+
+
+def _kind(geometry: Any) -> Any:
+    return geometry.get("type") if isinstance(geometry, Mapping) else None
 
 
 def _only(parts: Any, kind: str) -> Any:
@@ -271,23 +364,9 @@ def _sequence(value: Any) -> Sequence[Any]:
 
 
 def _from_pairs(source: Iterable[Any], ring: int = 0, *, elevations: bool = False) -> bytes:
-    doubles = array("d")
-    try:
-        vertices = enumerate(source)
-    except TypeError:
-        what = "a polygon, and none can be made from it"
-        raise unfit("polygon", source, what) from None
-    for index, vertex in vertices:
-        try:
-            x, y = vertex[:2] if elevations else vertex
-            doubles.append(x)
-            doubles.append(y)
-        except (TypeError, ValueError):
-            raise unfit(_vertex(index, ring), vertex, "a pair of numbers") from None
-        except OverflowError:
-            raise _too_large(_vertex(index, ring), vertex) from None
-    return doubles.tobytes()
+    vertices = _elements(source, "polygon", "a polygon, and none can be made from it")
+    return _doubles_of_pairs(vertices, lambda k: _vertex(k, ring), elevations=elevations).tobytes()
 
 
-def _vertex(index: int, ring: int) -> str:
+def _vertex(index: int, ring: int = 0) -> str:
     return f"polygon: vertex {index}" + (f" of ring {ring}" if ring else "")

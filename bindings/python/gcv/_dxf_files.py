@@ -7,9 +7,9 @@ from __future__ import annotations
 import io
 import math
 from collections import Counter
+from collections.abc import Iterator
 from typing import Any, Optional
 
-from ._coordinates import Points
 from ._named import NamedPolygon, Reading, curve, invalid, package, too_fine
 from ._nested_rings import Ring, polygons_of_rings
 
@@ -32,48 +32,85 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
     path = package("ezdxf.path", "dxf", reading.file)
     layers: dict[str, list[Ring]] = {}
     left_out = Counter[str]()
+    if data.startswith(b"AutoCAD Binary DXF"):
+        raise invalid(reading.file, "DXF: this is binary; only DXF that is text is read")
+    if not data.rstrip(b" \t\r\n\x1a").endswith(b"EOF"):
+        raise invalid(reading.file, "DXF: this ends before the end of the drawing, EOF")
     try:
         document, _ = recover.read(io.BytesIO(data))
-        entities = list(disassemble.recursive_decompose(document.modelspace()))
+        entities = list(_placed(disassemble.recursive_decompose, document.modelspace()))
+    except RecursionError:
+        raise invalid(reading.file, "DXF: a block is in itself, or nested too deeply") from None
     except Exception as error:  # whatever a damaged drawing leads to
         raise invalid(reading.file, f"DXF: {error}") from None
-    for entity in entities:
+    for entity, matrix in entities:
         name = f"{reading.file}: {_name(entity)}"
-        points = _outline(path.make_path, entity, name, reading)
-        if points is None:
+        outline = _outline(path.make_path, entity, name, reading, _stretch(matrix))
+        if outline is None:
             left_out[entity.dxftype()] += 1
         else:
-            layers.setdefault(entity.dxf.layer, []).append(Ring(name, points))
+            vertices = outline if matrix is None else matrix.transform_vertices(outline)
+            ring = Ring(name, [(vertex.x, vertex.y) for vertex in vertices])
+            layers.setdefault(entity.dxf.layer, []).append(ring)
     reading.leave_out(left_out)
     return [polygon for rings in layers.values() for polygon in polygons_of_rings(rings)]
 
 
+def _placed(decompose: Any, entities: Any, matrix: Any = None) -> Iterator[tuple[Any, Any]]:
+    """The entities, those of blocks too, and the matrix that takes each to its place.
+
+    They stay as they are in their block: scaled unevenly, an arc is one no more.
+    """
+    for entity in entities:
+        block = entity.block() if entity.dxftype() == "INSERT" else None
+        if block is None:
+            yield from ((piece, matrix) for piece in decompose([entity]))
+            continue
+        yield from ((attribute, matrix) for attribute in entity.attribs)
+        inside = [one for one in block if one.dxftype() != "ATTDEF"]
+        for insert in entity.multi_insert() if entity.mcount > 1 else [entity]:
+            place = insert.matrix44()
+            yield from _placed(decompose, inside, place if matrix is None else place * matrix)
+
+
+def _stretch(matrix: Any) -> float:
+    """At least how much longer a matrix makes a vector; 1 where there is none."""
+    if matrix is None:
+        return 1.0
+    rows = [[abs(value) for value in row[:3]] for row in list(matrix.rows())[:3]]
+    most = max(map(sum, rows)) * max(map(sum, zip(*rows)))
+    return math.sqrt(most) or 1.0
+
+
 def _name(entity: Any) -> str:
-    """What a message calls an entity; those of blocks have no handle."""
+    """What a message calls an entity; parts of dimensions and their like have no handle."""
     handle = f" {entity.dxf.handle}" if entity.dxf.handle else ""
     return f"{entity.dxftype()}{handle} of layer '{entity.dxf.layer}'"
 
 
-def _outline(make_path: Any, entity: Any, name: str, reading: Reading) -> Optional[Points]:
-    """The vertices of an entity that is closed; None for others."""
+def _outline(
+    make_path: Any, entity: Any, name: str, reading: Reading, stretch: float
+) -> Optional[list[Any]]:
+    """The vertices of an entity that is closed, before it is stretched; None for others."""
     kind = entity.dxftype()
     if kind not in _CLOSED_KINDS or _is_mesh(entity):
         return None
     path = make_path(entity)
     if not path.is_closed:
         return None
-    controls = _points(path.control_vertices())
+    controls = list(path.control_vertices())
     if not path.has_curves:
         return controls
     if reading.flatten is None:
         raise curve(name)
-    size = max(math.dist(point, controls[0]) for point in controls)
-    if reading.flatten < _FINEST * size:
+    distance = reading.flatten / stretch
+    size = max(point.distance(controls[0]) for point in controls)
+    if distance < _FINEST * size:
         raise too_fine(name)
     if kind in _POLYLINES:
-        points = _flattened_polyline(controls[0], entity, reading.flatten)
+        points = _flattened_polyline(controls[0], entity, distance)
     else:
-        points = _lines(entity, reading.flatten)
+        points = _lines(entity, distance)
     # The last point is computed, and only near the first one.
     return points[:-1]
 
@@ -82,27 +119,21 @@ def _is_mesh(entity: Any) -> bool:
     return entity.dxftype() == "POLYLINE" and not (entity.is_2d_polyline or entity.is_3d_polyline)
 
 
-def _flattened_polyline(start: tuple[float, float], polyline: Any, distance: float) -> Points:
+def _flattened_polyline(start: Any, polyline: Any, distance: float) -> list[Any]:
     points = [start]
     for piece in polyline.virtual_entities():
         lines = _lines(piece, distance)
         # Arcs are counter-clockwise, whichever way the polyline goes.
-        if math.dist(lines[-1], points[-1]) < math.dist(lines[0], points[-1]):
+        if lines[-1].distance(points[-1]) < lines[0].distance(points[-1]):
             lines.reverse()
         points += lines[1:]
     return points
 
 
-def _lines(entity: Any, distance: float) -> Points:
+def _lines(entity: Any, distance: float) -> list[Any]:
     kind = entity.dxftype()
     if kind == "LINE":
-        vertices = [entity.dxf.start, entity.dxf.end]
-    elif kind in ("ELLIPSE", "SPLINE"):
-        vertices = list(entity.flattening(distance, _LEAST_LINES))
-    else:
-        vertices = list(entity.flattening(min(distance, entity.dxf.radius / 2)))
-    return _points(vertices)
-
-
-def _points(vertices: Any) -> Points:
-    return [(vertex.x, vertex.y) for vertex in vertices]
+        return [entity.dxf.start, entity.dxf.end]
+    if kind in ("ELLIPSE", "SPLINE"):
+        return list(entity.flattening(distance, _LEAST_LINES))
+    return list(entity.flattening(min(distance, entity.dxf.radius / 2)))

@@ -4,19 +4,22 @@
 
 from __future__ import annotations
 
+import errno
 import math
+import os
+import re
 import sys
 from codecs import BOM_UTF8
-from pathlib import Path
 from typing import Callable, Optional
 
 from ._coordinates import Points
 from ._dxf_files import polygons_of_dxf
-from ._named import NamedPolygon, Reading, invalid
+from ._named import NUMBER, NamedPolygon, Reading, invalid
 from ._svg_files import polygons_of_svg
 from ._text_files import polygons_of_geojson, polygons_of_wkt
 
 STANDARD_INPUT = "-"
+_PAIR = re.compile(rf"({NUMBER})(?:\s*,\s*|\s+)({NUMBER})")
 
 
 def read_polygons(
@@ -32,7 +35,10 @@ def read_polygons(
     """
     name, data = _read(file)
     reading = Reading(name, flatten, note)
-    polygons = _reader_of(data)(data, reading)
+    try:
+        polygons = _reader_of(data)(data, reading)
+    except RecursionError:
+        raise invalid(name, "this is nested too deeply") from None
     if not polygons:
         raise invalid(name, "there is no polygon in this file")
     return polygons
@@ -58,15 +64,13 @@ def read_points(file: str) -> Points:
     name, data = _read(file)
     points: Points = []
     for number, line in enumerate(data.decode(errors="replace").splitlines(), 1):
-        words = line.partition("#")[0].replace(",", " ").split()
+        words = line.partition("#")[0].strip()
         if words:
-            try:
-                x, y = map(float, words)
-            except ValueError:
-                x = y = math.nan
-            if not (math.isfinite(x) and math.isfinite(y)):
+            pair = _PAIR.fullmatch(words)
+            point = (float(pair[1]), float(pair[2])) if pair else (math.nan, math.nan)
+            if not all(map(math.isfinite, point)):
                 raise invalid(name, f"line {number}: '{line.strip()}' is not a pair of numbers")
-            points.append((x, y))
+            points.append(point)
     if not points:
         raise invalid(name, "there is no point in this table")
     return points
@@ -74,8 +78,11 @@ def read_points(file: str) -> Points:
 
 def _read(file: str) -> tuple[str, bytes]:
     """What messages call a file, and its bytes."""
-    if file == STANDARD_INPUT:
-        name, data = "standard input", sys.stdin.buffer.read()
+    if file != STANDARD_INPUT:
+        with open(file, "rb") as opened:
+            name, data = file, opened.read()
+    elif sys.stdin is None:
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF), "standard input")
     else:
-        name, data = file, Path(file).read_bytes()
+        name, data = "standard input", sys.stdin.buffer.read()
     return name, data[len(BOM_UTF8) :] if data.startswith(BOM_UTF8) else data

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVa
 from . import _ffi, _structs
 from ._call import run
 from ._contacts import record, records
-from ._coordinates import Points, point_or_points, points, size
+from ._coordinates import Points, check_order, point_or_points, points, size
 from ._drawing import GROUND_COLOUR, plot, svg
 from ._gate import Gate
 from ._many import handle_array, vertices
@@ -62,7 +62,7 @@ class Members:
     def _change(self, call: Callable[[], None], vertex_count: int) -> None:
         """Make a change alone, and whole where Ctrl-C comes meanwhile."""
         with self._gate.changing():
-            run(lambda _options: call(), vertex_count, "nearest", 0, 1, None)
+            run(lambda _options: call(), vertex_count, "nearest", 0.0, 1, None)
 
     @property
     def container(self) -> Optional[Polygon]:
@@ -158,7 +158,7 @@ class Members:
             doubles, is_pair = _pairs(positions)
             counts["positions"] = None if is_pair else size(doubles)
             doubles = doubles * len(numbers) if is_pair else doubles
-        count = _in_common(counts)
+        count = _in_common(counts, ids)
 
         def change() -> None:
             handles = None if found is None else handle_array(found)
@@ -184,7 +184,7 @@ class Members:
         """
         numbers, _ = ids_of(ids, "ids")
         bits, is_one = layers_of(layers, "layers")
-        count = _in_common({"ids": len(numbers), "layers": None if is_one else len(bits)})
+        count = _in_common({"ids": len(numbers), "layers": None if is_one else len(bits)}, ids)
         bits = bits * count if is_one else bits
 
         def change() -> None:
@@ -229,6 +229,7 @@ class Members:
 
         Raises InputError for an id that is no member's or is given twice.
         """
+        check_order(ids, "ids")
         with self._gate.asking():
             numbers, is_one = ids_of(self._ids() if ids is None else ids, "ids")
             out = (_structs.Point * len(numbers))()
@@ -335,12 +336,15 @@ def _pairs(positions: Any) -> tuple[bytes, bool]:
     return point_or_points(positions, "positions", "a pair of numbers, nor a sequence of pairs")
 
 
-def _in_common(counts: dict[str, Optional[int]]) -> int:
+def _in_common(counts: dict[str, Optional[int]], ids: Any = ()) -> int:
     """The number of members that arguments are about, by the numbers that each has.
 
-    None is for one that stands for all. Raises ValueError where the others differ.
+    None is for one that stands for all. Raises ValueError where the others differ, and
+    InputError for a set of ids where each has something of its own.
     """
     known = {name: count for name, count in counts.items() if count is not None}
+    if len(known) > 1:
+        check_order(ids, "ids")
     if len(set(known.values())) > 1:
         raise ValueError(" and ".join(f"{name} has {n} elements" for name, n in known.items()))
     return next(iter(known.values()), 1)

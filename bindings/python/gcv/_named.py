@@ -12,6 +12,9 @@ from ._ffi import INVALID_ARGUMENT, Error, InputError, named
 from ._polygon import Polygon
 from ._sources import PolygonLike
 
+NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+"""A number in a file, as a pattern."""
+
 
 class NamedPolygon(NamedTuple):
     """A polygon, and where it comes from: a file, and perhaps a place in it."""

@@ -31,7 +31,8 @@ def polygons_of_rings(rings: list[Ring], *, nonzero: bool = False) -> list[Named
     for k, around in sorted(_around(solids).items(), key=lambda item: len(item[1])):
         if around:
             # Whatever is inside another ring must not cross it.
-            make(solids[k].name, solids[around[0]].polygon, [rings[k].points])
+            names = f"{solids[around[0]].name} and {solids[k].name}"
+            make(names, solids[around[0]].polygon, [rings[k].points])
         outside = sum(turns[other] for other in around)
         inside = outside + turns[k]
         if not nonzero:

@@ -11,12 +11,13 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable
 from ctypes import byref, c_double
+from math import isfinite
 from typing import TYPE_CHECKING, Any, Callable, Literal, NamedTuple, Optional, Union, overload
 
 from . import _ffi, _structs
 from ._affine import moved, six_numbers
 from ._call import Rounding, value_of
-from ._coordinates import Rings, number, pair, points, size, split
+from ._coordinates import Rings, number, pair, points, size, split, unfit
 from ._handles import created, mapped, normalised_rings
 from ._shape import Shape, array_of
 from ._sources import PolygonLike, PolygonsLike, read, read_holes
@@ -41,7 +42,8 @@ class Polygon(Shape):
 
     The source is one of
 
-    - a sequence of (x, y) pairs of numbers, each converted to a float;
+    - a sequence of (x, y) pairs of numbers, each converted to a float; integers must be
+      floats, as all of them up to 2**53 are;
     - an array or another buffer of numbers, of shape (n, 2) and any strides, or of
       floats x0 y0 x1 y1 ...; without masked elements;
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
@@ -66,10 +68,10 @@ class Polygon(Shape):
     Its length, vertices, and numpy.asarray of it are those of the outer ring; rings has
     all. Holes take version 0.2 of the library.
 
-    Raises InputError for a coordinate that is a NaN or an infinity, for a polygon
-    without area, for rings that cross or touch where they may not, for text that is
-    not a polygon, and for a source that is none of the above; OSError for a file that
-    cannot be read.
+    Raises InputError for a coordinate that is a NaN, an infinity, or an integer that no
+    float is, for a polygon without area, for rings that cross or touch where they may
+    not, for text that is not a polygon, and for a source that is none of the above;
+    OSError for a file that cannot be read.
     """
 
     __slots__ = ("_given", "_handle", "_maps", "_rings")
@@ -294,6 +296,8 @@ class Polygon(Shape):
         As affine does it.
         """
         x, y = pair(vector, "vector")
+        if not (isfinite(x) and isfinite(y)):
+            raise unfit("vector", vector, "a pair of finite numbers")
         return self.affine((1, 0, x, 0, 1, y))
 
     def __neg__(self) -> Polygon:

@@ -240,7 +240,7 @@ class Questions(Members):
         """As run does call(options), while nothing changes; visited is a number of vertices."""
         pairs = visited // VERTICES_A_PAIR
         with self._gate.asking():
-            run(call, pairs, "nearest", 0, threads, progress, leave_out)
+            run(call, pairs, "nearest", 0.0, threads, progress, leave_out)
 
     def _vertices_near(self, own: int) -> int:
         """A guess of the vertices that a polygon of so many is compared with, and its own."""

@@ -44,7 +44,7 @@ def _is_flat(source: Any) -> bool:
     """Whether the source is a buffer of numbers with one or two indices."""
     try:
         view = memoryview(source)
-    except TypeError:
+    except (TypeError, ValueError):
         return False
     return view.ndim <= 2 and view.format != "O"
 

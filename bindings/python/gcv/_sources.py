@@ -16,6 +16,7 @@ from typing import Any, Optional, Protocol, Union
 from . import _ffi
 from ._coordinates import (
     Rings,
+    check_order,
     geometry_of_text,
     of_one_part,
     ring_in_buffer,
@@ -109,6 +110,7 @@ def _hole(source: PolygonLike, index: int) -> bytes:
 
 def iterable(sources: Any, name: str, what: str = "a sequence of polygons") -> Iterable[Any]:
     """An iterator of the sources, which the argument of that name should be."""
+    check_order(sources, name)
     try:
         iterator: Iterable[Any] = iter(sources)
         return iterator

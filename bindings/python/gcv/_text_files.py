@@ -4,20 +4,25 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Optional
 
+from ._coordinates import read_json
 from ._ffi import PARSE, InputError
-from ._named import NamedPolygon, Reading, make
+from ._named import NUMBER, NamedPolygon, Reading, make
 
 _TAG = re.compile(
-    rb"[\s,;]*(?P<multi>MULTI|)(?P<kind>POLYGON|POINT|LINESTRING|GEOMETRYCOLLECTION)"
+    rb"\s*(?P<multi>MULTI|)(?P<kind>POLYGON|POINT|LINESTRING|(?<!MULTI)GEOMETRYCOLLECTION)"
     rb"\s*(?P<elevation>(?:ZM|Z|M)?)\s*(?:(?P<open>\()|(?P<empty>EMPTY\b))",
     re.IGNORECASE,
 )
+_BETWEEN_GEOMETRIES = re.compile(rb"[\s,;]*")
+_PART = re.compile(rb"\s*(?:(?P<open>\()|EMPTY\b)", re.IGNORECASE)
+_NEXT = re.compile(rb"\s*([,)])")
 _BRACKET = re.compile(rb"[()]")
+_ELEVATION = rf"(?:{NUMBER}|nan|NaN)"
+_VERTEX = re.compile(rf"\s*{NUMBER}\s+{NUMBER}(?:\s+{_ELEVATION}){{0,2}}(?=\s*[,)])".encode())
 
 
 class _Text(NamedTuple):
@@ -33,7 +38,7 @@ def polygons_of_wkt(text: bytes, reading: Reading) -> list[NamedPolygon]:
 
     Collections may have segments and points too, as regions have: these are left out.
     """
-    texts = list(_texts(text, 0, len(text), alone=True))
+    texts = list(_Reader(text, reading.file).texts())
     return [
         _polygon_of_wkt(text, one, name)
         for one, name in zip(texts, _names(reading.file, len(texts)))
@@ -51,41 +56,105 @@ def _polygon_of_wkt(text: bytes, of: _Text, name: str) -> NamedPolygon:
         return make(name, of.tag.ljust(of.start) + rings)
 
 
-def _texts(text: bytes, start: int, end: int, *, alone: bool) -> Iterator[_Text]:
-    """The polygons from start to end; those that stand alone are not in a collection.
+class _Reader:
+    """What goes through a text, and finds the polygons in it.
 
-    What is no geometry is given as it is: whoever reads it says what is wrong.
+    A text that should be that of a polygon is given as it is: whoever reads it says what is
+    wrong.
     """
-    while text[start:end].strip():
-        tag = _TAG.match(text, start, end)
-        if not tag or (alone and tag["kind"].upper() in (b"POINT", b"LINESTRING")):
-            yield _Text(b"", start, end)
-            return
-        start = tag.end()
-        if tag["empty"]:
-            continue
-        opening, start = start - 1, _closing(text, start, end)
-        if tag["kind"].upper() == b"GEOMETRYCOLLECTION":
-            yield from _texts(text, opening + 1, start - 1, alone=False)
-        elif tag["kind"].upper() == b"POLYGON":
-            name = b"POLYGON" + tag["elevation"]
-            if not tag["multi"]:
-                yield _Text(name, opening, start)
+
+    def __init__(self, text: bytes, file: str) -> None:
+        self._text, self._file = text, file
+        self._place = 0
+
+    def texts(self) -> Iterator[_Text]:
+        """The polygons of all geometries, one after the other."""
+        depth = 0  # of collections
+        while True:
+            if depth == 0:
+                self._take(_BETWEEN_GEOMETRIES)
+                if self._place == len(self._text):
+                    return
+            tag = _TAG.match(self._text, self._place)
+            kind = tag["kind"].upper() if tag else b""
+            if depth == 0 and kind not in (b"POLYGON", b"GEOMETRYCOLLECTION"):
+                yield _Text(b"", self._place, len(self._text))
+                return
+            if not tag:
+                raise self._expected("a geometry")
+            self._place = tag.end()
+            if tag["open"] and kind == b"GEOMETRYCOLLECTION":
+                depth += 1
                 continue
-            part = opening + 1
-            while (bracket := text.find(b"(", part, start)) >= 0:
-                part = _closing(text, bracket + 1, start)
-                yield _Text(name, bracket, part)
+            if tag["open"]:
+                yield from self._geometry(tag)
+            while depth > 0 and not self._goes_on():
+                depth -= 1
+
+    def _geometry(self, tag: re.Match[bytes]) -> Iterator[_Text]:
+        """The polygons of a geometry that has just been opened."""
+        is_polygon = tag["kind"].upper() == b"POLYGON"
+        name = b"POLYGON" + tag["elevation"]
+        if not tag["multi"]:
+            if is_polygon:
+                yield self._polygon(name)
+            else:
+                self._vertices()
+            return
+        if tag["kind"].upper() == b"POINT" and not _PART.match(self._text, self._place):
+            self._vertices()
+            return
+        while True:
+            part = self._take(_PART)
+            if not part:
+                raise self._expected("'('")
+            if part["open"]:
+                if is_polygon:
+                    yield self._polygon(name)
+                else:
+                    self._vertices()
+            if not self._goes_on():
+                return
+
+    def _polygon(self, name: bytes) -> _Text:
+        start = self._place - 1
+        self._place = _closing(self._text, self._place)
+        return _Text(name, start, self._place)
+
+    def _vertices(self) -> None:
+        while True:
+            if not self._take(_VERTEX):
+                raise self._expected("a vertex")
+            if not self._goes_on():
+                return
+
+    def _goes_on(self) -> bool:
+        """Whether a comma is next, and not what closes a list."""
+        found = self._take(_NEXT)
+        if not found:
+            raise self._expected("',' or ')'")
+        return found[1] == b","
+
+    def _take(self, pattern: re.Pattern[bytes]) -> Optional[re.Match[bytes]]:
+        found = pattern.match(self._text, self._place)
+        if found:
+            self._place = found.end()
+        return found
+
+    def _expected(self, what: str) -> InputError:
+        rest = self._text[self._place :]
+        place = len(self._text) - len(rest.lstrip())
+        return InputError(PARSE, f"{self._file}: byte {place}: expected {what}")
 
 
-def _closing(text: bytes, start: int, end: int) -> int:
+def _closing(text: bytes, start: int) -> int:
     """Where what was opened before start is closed; the end where it is not."""
     depth = 1
-    for bracket in _BRACKET.finditer(text, start, end):
+    for bracket in _BRACKET.finditer(text, start):
         depth += 1 if bracket[0] == b"(" else -1
         if depth == 0:
             return bracket.end()
-    return end
+    return len(text)
 
 
 def polygons_of_geojson(text: bytes, reading: Reading) -> list[NamedPolygon]:
@@ -93,10 +162,7 @@ def polygons_of_geojson(text: bytes, reading: Reading) -> list[NamedPolygon]:
 
     Collections may have other geometries too: these are left out.
     """
-    try:
-        geometry = json.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise InputError(PARSE, f"{reading.file}: GeoJSON text: {error}") from None
+    geometry = read_json(text, reading.file)
     sources = list(_geometries(geometry, alone=True))
     return [make(name, one) for one, name in zip(sources, _names(reading.file, len(sources)))]
 

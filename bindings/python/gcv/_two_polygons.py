@@ -288,7 +288,7 @@ def ask(
     """
     pairs = moved_vertices // VERTICES_A_PAIR
     try:
-        run(call, pairs, "nearest", 0, threads, progress, leave_out)
+        run(call, pairs, "nearest", 0.0, threads, progress, leave_out)
     except _ffi.Error as error:
         reason = re.sub(r"^(translation|motion)s:", r"\1:", str(error))
         raise type(error)(error.status, reason) from None

@@ -57,7 +57,7 @@ def _in_buffer(source: Any, code: Literal["Q", "I"]) -> Optional[array[int]]:
     """The numbers in a buffer of just this type; None for other sources."""
     try:
         view = memoryview(source)
-    except TypeError:
+    except (TypeError, ValueError):
         return None
     numbers = array(code)
     if view.ndim != 1 or view.format not in ("I", "L", "Q") or view.itemsize != numbers.itemsize:

@@ -218,6 +218,40 @@ def test_missing_and_wrong_rows() -> None:
         assert str(error).startswith("polygon 1: None is not a polygon")
 
 
+XY = pyarrow.list_(pyarrow.field("xy", "double"), 2)
+STRUCT = pyarrow.struct([("x", "double"), ("y", "double")])
+CORNER: list[Any] = [[0, 0], [1, 0], [1, 1], [0, 1]]
+
+
+@pytest.mark.parametrize("vertex", [XY, STRUCT])
+@pytest.mark.parametrize(
+    "rings",
+    [
+        [[[5, 5], None, [9, 5], [7, 9]]],
+        [[[5, 5], [7, None], [9, 5], [7, 9]]],
+        [[[None, 5], [7, 5], [9, 5], [7, 9]]],
+        [CORNER, None],
+        [None],
+    ],
+)
+def test_nulls_inside_of_rows(vertex: Any, rings: Any) -> None:
+    def laid_out(vertex_of_row: Any) -> Any:
+        if vertex == XY or vertex_of_row is None:
+            return vertex_of_row
+        return dict(zip("xy", vertex_of_row))
+
+    rows = [None, [CORNER], rings, [[]], [CORNER]]
+    rows = [row and [ring and list(map(laid_out, ring)) for ring in row] for row in rows]
+    polygons = pyarrow.array(rows, pyarrow.list_(pyarrow.list_(vertex)))
+    parts = pyarrow.array([row and [row] for row in rows], pyarrow.list_(polygons.type))
+    for column, first in ((polygons, 0), (parts, 0), (polygons[1:], 1), (parts[1:], 1)):
+        made = gcv.Polygon.many(column, return_errors=True)
+        assert [made[1 - first], made[4 - first]] == [gcv.Polygon(SQUARE)] * 2
+        assert str(made[2 - first]) == (
+            f"polygon {2 - first}: a ring, a vertex or a coordinate of it is null"
+        )
+
+
 def test_pairs_that_fail() -> None:
     huge = shapely.box(0, 0, 1e308, 1e308)
     with pytest.raises(gcv.Error, match=r"^pair 1, index 'y': "):

@@ -4,15 +4,10 @@
 
 from __future__ import annotations
 
-import io
 import json
 import sys
-from collections.abc import Callable
-from math import hypot, pi
 from pathlib import Path
-from typing import Any
 
-import numpy
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -22,6 +17,8 @@ from shapes import NOTCHED, SQUARE, TRIANGLE
 import gcv
 
 PLATE = gcv.Polygon([(0, 0), (6, 0), (6, 4), (0, 4)], holes=[[(1, 1), (3, 1), (3, 3)]])
+CORNER = "(0 0, 1 0, 0 1)"
+NESTED = '{"type": "GeometryCollection", "geometries": [' * 480 + "]}" * 480
 NOT_HERE = "is not installed: reading {} is not tested"
 
 
@@ -50,6 +47,10 @@ def error(folder: Path, text: str, *options: str) -> str:
         PLATE.wkt.replace("POLYGON (", "MULTIPOLYGON (((0 0, 0 1, 1 0)), (") + ")",
         f"GEOMETRYCOLLECTION (POINT (1 1), POLYGON EMPTY, {PLATE.wkt}, LINESTRING (0 0, 1 1))",
         f"GEOMETRYCOLLECTION EMPTY\nMULTIPOLYGON EMPTY\n{PLATE.wkt}",
+        f"MULTIPOLYGON (EMPTY , {PLATE.wkt[8:]})",
+        f"GEOMETRYCOLLECTION (MULTIPOINT (0 0, 1 1), MULTIPOINT ((0 0), EMPTY), {PLATE.wkt})",
+        f"GEOMETRYCOLLECTION (MULTILINESTRING ((0 0, 1 1)), POINT Z (1 -1e3 NaN), {PLATE.wkt})",
+        "GEOMETRYCOLLECTION (" * 5000 + PLATE.wkt + ")" * 5000,
         "POLYGON Z ((0 0 1, 6 0 1, 6 4 1, 0 4 1), (1 1 1, 3 1 1, 3 3 1))",
         "MULTIPOLYGON Z (((0 0 1, 6 0 1, 6 4 1, 0 4 1), (1 1 1, 3 1 1, 3 3 1)))",
         json.dumps(PLATE.__geo_interface__),
@@ -96,12 +97,27 @@ def test_many_in_text(tmp_path: Path) -> None:
         ("POLYGON ((0 0, 1 0, 1 x))", "polygon: byte 22"),
         ("POLYGON ((0 0, 1 0, 1 1)", "polygon: byte 24"),
         ("MULTIPOLYGON (((0 0, 1 0, 1 1)), ((0 0, 1 0, 1 x)))", "polygon 1: byte 47"),
+        (f"MULTIPOLYGON (({CORNER}),", "byte 32: expected '('"),
+        (f"MULTIPOLYGON (({CORNER}), garbage, ({CORNER}))", "byte 33: expected '('"),
+        (f"MULTIPOLYGON (({CORNER})", "byte 31: expected ',' or ')'"),
+        (f"MULTIPOLYGON (({CORNER}) ({CORNER}))", "byte 32: expected ',' or ')'"),
+        (f"MULTIPOLYGON (POLYGON ({CORNER}))", "byte 14: expected '('"),
+        (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}), LINESTRING (0 0", "byte 59: expected a vertex"),
+        (f"GEOMETRYCOLLECTION (POINT (garbage), POLYGON ({CORNER}))", "byte 27: expected a vertex"),
+        (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}), ", "byte 47: expected a geometry"),
+        (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}) POINT (0 0))", "byte 46: expected ',' or ')'"),
+        (f"GEOMETRYCOLLECTION (POLYGON ({CORNER}", "byte 44: expected ',' or ')'"),
+        (f"GEOMETRYCOLLECTION (POLYGON ({CORNER})))", "polygon 1: byte 46: expected POLYGON"),
+        (f"MULTIGEOMETRYCOLLECTION (POLYGON ({CORNER}))", "polygon: byte 0: expected POLYGON"),
+        ("GEOMETRYCOLLECTION ()", "byte 20: expected a geometry"),
+        ("GEOMETRYCOLLECTION (" * 5000, "byte 100000: expected a geometry"),
         (f"{PLATE.wkt} POLYGON ((0 0, 2 2, 2 0, 0 2))", "polygon 1: edges 0 and 2"),
         ("POLYGON ((0 0, 9 0, 0 9), (1 1, 9 1, 1 2))", "polygon: "),
         ('{"type": "Polygon", "coordinates": [[[0, 0], [1, "x"], [1, 1]]]}', "vertex 1"),
         ('{"type": "Point", "coordinates": [1, 1]}', "polygon: a geometry of type 'Point'"),
         ('{"type": "Polygon"', "GeoJSON text: "),
         ('{"a":' * 100_000, "GeoJSON text: "),
+        (NESTED, "GeoJSON text: it is nested too deeply"),
         ('{"type": "FeatureCollection", "features": 1}', "polygon: "),
         ('{"type": ["Polygon"]}', "polygon: "),
     ],
@@ -150,227 +166,6 @@ def test_svg_keeps_every_bit(triangle: list[tuple[float, float]]) -> None:
     arguments = "simplify", "-", "--tolerance", "0", "--format", "svg"
     text = run_program(here, *arguments, text=polygon.wkt).stdout
     assert read(here, text) == [polygon]
-
-
-def svg(body: str) -> str:
-    return f'<svg xmlns="http://www.w3.org/2000/svg" width="9cm" viewBox="0 0 5 5">{body}</svg>'
-
-
-class TestSvg:
-    @pytest.fixture(autouse=True)
-    def _needs_svgelements(self) -> None:
-        pytest.importorskip("svgelements", reason=f"svgelements {NOT_HERE.format('SVG')}")
-
-    @pytest.mark.parametrize(
-        ("body", "expected"),
-        [
-            ('<rect x="1" y="-3" width="2" height="1"/>', [[(1, 2), (3, 2), (3, 3), (1, 3)]]),
-            ('<polygon points="0,0 4,0 0,-3"/>', [[(0, 0), (4, 0), (0, 3)]]),
-            ('<polyline points="0,0 4,0 0,-3"/>', [[(0, 0), (4, 0), (0, 3)]]),
-            ('<path d="M0.1 0h4L0-3"/>', [[(0.1, 0), (4.1, 0), (0, 3)]]),
-            (
-                '<path d="m1-1h1v-1zm5 0h1v-1z"/>',
-                [[(1, 1), (2, 1), (2, 2)], [(6, 1), (7, 1), (7, 2)]],
-            ),
-            (
-                '<g transform="translate(10 -5)"><g transform="scale(2)">'
-                '<rect width="1" height="1"/></g></g>',
-                [[(10, 3), (12, 3), (12, 5), (10, 5)]],
-            ),
-            (
-                '<polygon transform="rotate(90)" points="1,0 2,0 2,1"/>',
-                [[(0, -1), (0, -2), (-1, -2)]],
-            ),
-            (
-                '<symbol id="s"><rect width="1" height="1"/></symbol><use href="#s" x="3"/>',
-                [[(3, -1), (4, -1), (4, 0), (3, 0)]],
-            ),
-            (
-                '<g display="none"><rect width="1" height="1"/></g><rect width="2" height="1"/>',
-                [[(0, -1), (2, -1), (2, 0), (0, 0)]],
-            ),
-        ],
-    )
-    def test_shapes(
-        self, tmp_path: Path, body: str, expected: list[list[tuple[float, float]]]
-    ) -> None:
-        found = read(tmp_path, svg(body))
-        assert len(found) == len(expected)
-        for polygon, ring in zip(found, expected):
-            assert numpy.allclose(polygon.vertices, gcv.Polygon(ring).vertices, rtol=0, atol=1e-9)
-
-    @pytest.mark.parametrize(
-        ("rule", "inner", "holes"),
-        [
-            ("evenodd", "M3 3h3v3h-3z", 1),
-            ("evenodd", "M3 3v3h3v-3z", 1),
-            ("nonzero", "M3 3h3v3h-3z", 0),
-            ("nonzero", "M3 3v3h3v-3z", 1),
-        ],
-    )
-    def test_fill_rule(self, tmp_path: Path, rule: str, inner: str, holes: int) -> None:
-        path = f'<path fill-rule="{rule}" d="M0 0h9v9h-9z{inner}"/>'
-        (polygon,) = read(tmp_path, svg(path))
-        assert polygon.ring_count - 1 == holes
-
-    def test_islands(self, tmp_path: Path) -> None:
-        rings = "".join(f"M{k} {k}H{20 - k}V{20 - k}H{k}z" for k in range(5))
-        found = read(tmp_path, svg(f'<path fill-rule="evenodd" d="{rings}"/>'))
-        assert [polygon.ring_count for polygon in found] == [2, 2, 1]
-        assert [polygon.area for polygon in found] == [400 - 324, 256 - 196, 144]
-
-    @pytest.mark.parametrize(
-        ("body", "reason"),
-        [
-            ("", "there is no polygon in this file"),
-            ('<circle id="rim" r="2"/>', "circle 'rim': this is a curve; --flatten"),
-            ('<rect width="4" height="4" rx="1"/>', "rect: this is a curve"),
-            ('<path d="M0 0Q1 1 2 0z"/>', "path: this is a curve"),
-            ('<path id="p" d="M0 0L1 x 2 z"/>', "path 'p': 'L1' is no command of path data"),
-            ('<path d="M0 0L1 0 2z"/>', "path: 'L1 0 2' is no command"),
-            ('<path d="5M0 0L1 0 2 2z"/>', "path: '5' is no command"),
-            ('<polygon id="q" points="0,0 1,0 1"/>', "polygon 'q': the points are not pairs"),
-            ('<polygon points="0 0 2 2 2 0 0 2"/>', "polygon: edges "),
-            ('<path d="M0 0H2V2z M0 0 L5 5 5 0 0 5z"/>', "path, ring 1: edges "),
-            ('<path d="M0 0H4V4H0z M2 2H6V6H2z"/>', "path, ring "),
-            ("<g>", "SVG: mismatched tag"),
-        ],
-    )
-    def test_errors(self, tmp_path: Path, body: str, reason: str) -> None:
-        assert error(tmp_path, svg(body)).startswith(reason)
-
-    def test_what_is_left_out(self, tmp_path: Path) -> None:
-        body = '<text>A</text><line x2="1" y2="1"/><rect width="1" height="1"/>'
-        run = run_program(tmp_path, "simplify", "-", "--tolerance", "0", text=svg(body))
-        assert run.stderr == "gcv: standard input: left out: 1 text, 1 line\n"
-        assert run.returncode == 0
-
-    @pytest.mark.parametrize("distance", [1e-4, 0.1, 3, 100])
-    @pytest.mark.parametrize(
-        "body",
-        [
-            '<circle r="10"/>',
-            '<ellipse rx="5" ry="10" transform="scale(2 1)"/>',
-            '<path d="M-10 0A10 10 0 0 0 10 0A10 10 0 0 0-10 0z"/>',
-        ],
-    )
-    def test_flattened_circle(self, tmp_path: Path, body: str, distance: float) -> None:
-        (polygon,) = read(tmp_path, svg(body), "--flatten", str(distance))
-        check_disc(polygon, 10, distance)
-
-    @pytest.mark.parametrize("path", ["A10 10 0 0 0 10 0z", "Q5 5 10 0z"])
-    def test_too_fine(self, tmp_path: Path, path: str) -> None:
-        text = svg(f'<path d="M-10 0{path}"/>')
-        assert "are too many" in error(tmp_path, text, "--flatten", "1e-300")
-
-    def test_flattened_curves(self, tmp_path: Path) -> None:
-        body = '<path d="M0 0Q5-10 10 0z"/><path d="M0 0C0-10 10-10 10 0S20 10 0 10z"/>'
-        parabola, _ = read(tmp_path, svg(body), "--flatten", "0.001")
-        for x, y in parabola.vertices.tolist():
-            assert abs(y - 2 * x * (10 - x) / 10) < 1e-9
-        assert 0 < 10 * 5 * 2 / 3 - parabola.area < 10 * 0.001
-
-
-def check_disc(polygon: gcv.Polygon, radius: float, distance: float) -> None:
-    """All vertices are on the circle, and all edges near it."""
-    vertices = polygon.vertices.tolist()
-    for (x, y), (x1, y1) in zip(vertices, vertices[1:] + vertices[:1]):
-        assert abs(hypot(x, y) - radius) < 1e-9 * radius
-        assert hypot((x + x1) / 2, (y + y1) / 2) >= min(radius - distance, radius) - 1e-9
-    assert pi * radius**2 - polygon.area > 0
-
-
-@pytest.fixture
-def drawing() -> Any:
-    ezdxf = pytest.importorskip("ezdxf", reason=f"ezdxf {NOT_HERE.format('DXF')}")
-    return ezdxf.new("R2010")
-
-
-def dxf(drawing: Any) -> str:
-    stream = io.StringIO()
-    drawing.write(stream)
-    return stream.getvalue()
-
-
-class TestDxf:
-    def test_polylines(self, tmp_path: Path, drawing: Any) -> None:
-        space = drawing.modelspace()
-        space.add_lwpolyline([(0.1, 0), (4, 0), (0, 3)], close=True)
-        space.add_lwpolyline([(10, 0), (14, 0), (10, 3), (10, 0)])
-        space.add_polyline2d([(20, 0), (24, 0), (20, 3)], close=True)
-        space.add_polyline3d([(30, 0, 1), (34, 0, 1), (30, 3, 2)], close=True)
-        assert [polygon.wkt for polygon in read(tmp_path, dxf(drawing))] == [
-            "POLYGON ((0 3, 0.1 0, 4 0, 0 3))",
-            "POLYGON ((10 0, 14 0, 10 3, 10 0))",
-            "POLYGON ((20 0, 24 0, 20 3, 20 0))",
-            "POLYGON ((30 0, 34 0, 30 3, 30 0))",
-        ]
-
-    def test_holes_by_layer(self, tmp_path: Path, drawing: Any) -> None:
-        space = drawing.modelspace()
-        for k, layer in ((0, "0"), (1, "0"), (2, "0"), (3, "other")):
-            square = [(k, k), (20 - k, k), (20 - k, 20 - k), (k, 20 - k)]
-            space.add_lwpolyline(square, close=True, dxfattribs={"layer": layer})
-        assert [polygon.ring_count for polygon in read(tmp_path, dxf(drawing))] == [2, 1, 1]
-
-    def test_blocks(self, tmp_path: Path, drawing: Any) -> None:
-        block = drawing.blocks.new("part")
-        block.add_lwpolyline([(0, 0), (1, 0), (0, 1)], close=True)
-        scale = {"xscale": 2, "yscale": -2}
-        drawing.modelspace().add_blockref("part", (10.5, 20), dxfattribs=scale)
-        (polygon,) = read(tmp_path, dxf(drawing))
-        assert polygon == gcv.Polygon([(10.5, 20), (12.5, 20), (10.5, 18)])
-
-    def test_curves(self, tmp_path: Path, drawing: Any) -> None:
-        space = drawing.modelspace()
-        circle = space.add_circle((0, 0), 10)
-        reason = f"CIRCLE {circle.dxf.handle} of layer '0': this is a curve; --flatten"
-        assert error(tmp_path, dxf(drawing)).startswith(reason)
-
-    @pytest.mark.parametrize("distance", [1e-4, 0.1, 3, 100])
-    @pytest.mark.parametrize(
-        "add",
-        [
-            lambda space: space.add_circle((0, 0), 10),
-            lambda space: space.add_ellipse((0, 0), (10, 0), 1.0),
-            lambda space: space.add_lwpolyline([(-10, 0, 1), (10, 0, 1)], "xyb", close=True),
-            lambda space: space.add_polyline2d([(-10, 0, -1), (10, 0, -1)], "xyb", close=True),
-        ],
-    )
-    def test_flattened_circle(
-        self, tmp_path: Path, drawing: Any, add: Callable[[Any], object], distance: float
-    ) -> None:
-        add(drawing.modelspace())
-        (polygon,) = read(tmp_path, dxf(drawing), "--flatten", str(distance))
-        check_disc(polygon, 10, distance)
-
-    def test_too_fine(self, tmp_path: Path, drawing: Any) -> None:
-        drawing.modelspace().add_circle((0, 0), 10)
-        assert "are too many" in error(tmp_path, dxf(drawing), "--flatten", "1e-300")
-
-    def test_what_is_left_out(self, tmp_path: Path, drawing: Any) -> None:
-        space = drawing.modelspace()
-        space.add_lwpolyline([(0, 0), (4, 0), (0, 3)], close=True)
-        space.add_lwpolyline([(0, 0), (4, 0), (0, 3)])
-        space.add_line((0, 0), (1, 1))
-        space.add_line((0, 0), (2, 1))
-        space.add_arc((0, 0), 1, 0, 90)
-        text = dxf(drawing)
-        run = run_program(
-            tmp_path, *("simplify", "-", "--tolerance", "0", "--flatten", "1"), text=text
-        )
-        assert run.stderr == "gcv: standard input: left out: 1 LWPOLYLINE, 2 LINE, 1 ARC\n"
-        assert run.returncode == 0
-
-    @pytest.mark.parametrize("text", ["  0\nSECTION\n garbage\n", "999\n"])
-    def test_errors(self, tmp_path: Path, drawing: Any, text: str) -> None:
-        assert error(tmp_path, text).startswith(("DXF: ", "there is no polygon"))
-
-    def test_rings_that_cross(self, tmp_path: Path, drawing: Any) -> None:
-        space = drawing.modelspace()
-        space.add_lwpolyline([(0, 0), (4, 0), (4, 4), (0, 4)], close=True)
-        space.add_lwpolyline([(2, 2), (5, 2), (5, 5), (2, 5)], close=True)
-        assert error(tmp_path, dxf(drawing)).startswith("LWPOLYLINE ")
 
 
 @pytest.mark.parametrize(

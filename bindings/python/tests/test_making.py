@@ -295,7 +295,7 @@ def test_holes_can_be_added_after_maps() -> None:
         ("abcdef", "matrix: 'abcdef' is not 2 rows of 3 numbers, or 6 numbers"),
         ((1, 0, 0, 0, 10**400, 0), "matrix: .* is not a number that a finite float can be near to"),
         ((1, 0, math.nan, 0, 1, 0), r"m\[2\] is nan, not a finite number"),
-        ((1, 0, 0, 1, 0, 0), "polygon: .*"),
+        ((1, 0, 0, 1, 0, 0), "the mapped polygon: .*"),
     ],
 )
 def test_affine_refused(matrix: Any, reason: str) -> None:

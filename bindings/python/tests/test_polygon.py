@@ -100,10 +100,10 @@ HUGE_NUMBER = 10**5000
         ([(0, 0), None], "vertex 1: None is not a pair of numbers"),
         ([(0, 0), (10**400, 0)], r"vertex 1: \(100.*\) is not a number that a finite float .*"),
         ([(0, HUGE_NUMBER)], "vertex 0: an object of type tuple is not a number .*"),
-        (array("d", [0, 0, 1]), r"a buffer of shape \(3,\) does not hold pairs of doubles"),
+        (array("d", [0, 0, 1]), r"a buffer of shape \(3,\) does not hold pairs of numbers"),
         (memoryview(bytes(96)).cast("d", [4, 3]), "a buffer of shape .* does not hold pairs .*"),
-        (np.zeros((4, 2, 2)), "a buffer of shape .* does not hold pairs of doubles"),
-        (np.float64(1), "a buffer of shape .* does not hold pairs of doubles"),
+        (np.zeros((4, 2, 2)), "a buffer of shape .* does not hold pairs of numbers"),
+        (np.float64(1), "a buffer of shape .* does not hold pairs of numbers"),
         (shapely.Point(1, 2), "a geometry of type 'Point' is not a polygon"),
         (LINE, "a geometry of type 'LineString' is not a polygon"),
         (

@@ -33,7 +33,9 @@ def test_polygons_for_the_next_sum() -> None:
     for number in (2, -1):
         with pytest.raises(gcv.InputError, match=f"^polygon is {number}, the region has 2 poly"):
             rooms.polygon(number)
-    with pytest.raises(gcv.InputError, match="'GeometryCollection' is not a polygon"):
+    with pytest.raises(
+        gcv.InputError, match="a GeometryCollection of 2 Polygon, 1 LineString is not one polygon"
+    ):
         gcv.Polygon(rooms)
 
 

@@ -85,7 +85,7 @@ def test_many_are_as_one_by_one(question: Question, dtype: Any) -> None:
 
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_whole_numbers(question: Question) -> None:
-    moves = [(5, 5), (-7, 12), (2**53 + 1, 0)]
+    moves = [(5, 5), (-7, 12), (2**53 + 2, 0)]
     expected = [question(ROOMS, SQUARE_2, move) for move in moves]
     for source in (moves, np.array(moves), np.array(moves, object)):
         assert as_records(question(ROOMS, SQUARE_2, source)) == expected

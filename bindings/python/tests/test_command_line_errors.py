@@ -1,0 +1,82 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""The program gcv: values that options refuse, and standard streams that are not there."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from program import run_program, run_shell
+from test_command_line import failure, folder, output
+
+__all__ = ["folder"]
+AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
+
+
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("sum a.wkt b.wkt --tolerance -1", "--tolerance: '-1' is below 0"),
+        ("sum a.wkt b.wkt --tolerance 1_0", "--tolerance: '1_0' is not a finite number"),
+        ("sum a.wkt b.wkt --threads -2", "--threads: '-2' is not a whole number"),
+        ("sum a.wkt b.wkt --threads 1_0", "--threads: '1_0' is not a whole number"),
+        ("sum a.wkt b.wkt --pick-a -1", "--pick-a: '-1' is not a whole number"),
+        ("sum a.wkt b.wkt --svg -", "--svg - takes -o FILE"),
+        ("contacts a.wkt b.wkt --distance -1", "--distance: '-1' is below 0"),
+        ("contacts a.wkt b.wkt --slope -1", "--slope: '-1' is below 0"),
+        ("offset a.wkt --distance 0 --tolerance 1", "--distance: '0' is no offset"),
+        ("offset a.wkt --distance 1 --tolerance 0", "--tolerance: '0' is not above 0"),
+        ("free a.wkt b.wkt", "--container or --window is needed"),
+        ("free a.wkt b.wkt --best 1 0", "--best takes --container"),
+        ("free a.wkt b.wkt --container a.wkt --best 0 0", "--best 0 0 is no direction"),
+        ("free a.wkt b.wkt --window 5 5 1 1", "--window takes XMIN YMIN XMAX YMAX"),
+        ("free a.wkt b.wkt --window 0 0 1 0", "--window takes XMIN YMIN XMAX YMAX"),
+        ("simplify a.wkt --tolerance 0 --nosuch", "usage: gcv simplify "),
+        (
+            "simplify a.wkt --tolerance 0 --nosuch",
+            "gcv simplify: error: unrecognized arguments: --nosuch",
+        ),
+    ],
+)
+def test_values_that_options_refuse(folder: Path, command: str, reason: str) -> None:
+    assert reason in failure(run_program(folder, *command.split()), 2)
+
+
+def test_missing_files(folder: Path) -> None:
+    for words in (["none.wkt", "b.wkt"], ["sum", "b.wkt", "none.wkt"]):
+        run = run_program(folder, *words)
+        assert failure(run, 1) == "gcv: none.wkt: No such file or directory\n"
+    for words in (["a.wkt", ""], ["a.wkt", "b.wkt", "-o", ""], ["a.wkt", "b.wkt", "--svg", ""]):
+        run = run_program(folder, "sum", *words)
+        assert failure(run, 1) == "gcv: '': No such file or directory\n"
+
+
+def test_closed_streams(folder: Path) -> None:
+    run = run_shell(folder, "(gcv sum a.wkt b.wkt >&-); echo $?")
+    assert run.stdout == "gcv: standard output: Bad file descriptor\n1\n"
+    for arguments in ("a.wkt -", "a.wkt b.wkt --positions -"):
+        run = run_shell(folder, f"gcv relation {arguments} <&-; echo $?")
+        assert run.stdout == "gcv: standard input: Bad file descriptor\n1\n"
+
+
+def test_standard_output_as_a_file(folder: Path) -> None:
+    expected = output(folder, "sum a.wkt b.wkt")
+    assert output(folder, "sum a.wkt b.wkt -o -") == expected
+    assert output(folder, "sum a.wkt b.wkt --svg - -o sum.wkt").startswith("<svg")
+    assert (folder / "sum.wkt").read_text() == expected
+    assert not (folder / "-").exists()
+
+
+@pytest.mark.parametrize("line", ["1,2", "1 2", " 1 , 2 # x", "+1\t2.e0", "1,\t.2e1"])
+def test_positions_that_are_pairs(folder: Path, line: str) -> None:
+    run = run_program(folder, *AT_POSITIONS, "--format", "json", text=line)
+    assert '"at": [1.0, 2.0]' in run.stdout
+
+
+@pytest.mark.parametrize(
+    "line", ["1,,2", ", 1 2", "1 2,", "1_0 2", "1 2 3", "1", "nan 1", "1e999 1"]
+)
+def test_positions_that_are_none(folder: Path, line: str) -> None:
+    run = run_program(folder, *AT_POSITIONS, text=f"0 0\n{line}")
+    assert failure(run, 1) == (f"gcv: standard input: line 2: '{line}' is not a pair of numbers\n")
