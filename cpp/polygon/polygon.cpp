@@ -31,9 +31,8 @@ PointVector mapped_vertices(const Boundary& ring, const AffineMap& map, const ch
   for (Index i = 0; i < ring.size(); ++i) {
     const Point image = mapped(map, ring.vertices[i]);
     if (!std::isfinite(image.x) || !std::isfinite(image.y)) {
-      throw Error(Status::range,
-                  "%s: the %s coordinate of vertex %u is beyond the largest double", name,
-                  std::isfinite(image.x) ? "y" : "x", ring.corners[i].vertex_number);
+      throw Error(Status::range, "%s: the %s coordinate of vertex %u is beyond the largest double",
+                  name, std::isfinite(image.x) ? "y" : "x", ring.corners[i].vertex_number);
     }
     vertices[i] = image;
   }
