@@ -4,10 +4,10 @@
 // soon found.
 #pragma once
 
-#include <cstddef>
-#include <memory>
+#include <cstdint>
 #include <vector>
 
+#include "box_tree.hpp"
 #include "exact_ring.hpp"
 #include "places_on_line.hpp"
 #include "region.hpp"
@@ -20,9 +20,6 @@ class FreeBoundary {
   // Those of a region of these operands, which must live longer. `slack`: how far coordinates of
   // points in relative coordinates may be off. O(n log n) for n vertices.
   FreeBoundary(const Operands& operands, const ExactRegion& region, double slack, Tally& tally);
-  ~FreeBoundary();
-  FreeBoundary(FreeBoundary&& other) noexcept;
-  FreeBoundary& operator=(FreeBoundary&& other) = delete;
 
   // Edges of rings, segments, and points: from one place on the line of a superset edge to another,
   // for edges of rings in the direction of that.
@@ -37,54 +34,41 @@ class FreeBoundary {
 
   // Calls visit(places, from, to, is_of_ring), in the direction of the line, for the pieces whose
   // distance from a point, in relative coordinates, may be at most `reach`, which may fall on the
-  // way. About nearest first, some again.
+  // way. In squares that grow until one holds the reach: so it calls for some again.
   template <class Visit>
   void for_each_near(const Point& p, const double& reach, Tally& tally, Visit visit) const {
-    std::vector<Near> near;
-    for (std::size_t count = few;; count *= 4) {
-      find_nearest(p, count, near);
-      for (const Near& one : near) {
-        if (one.distance > reach) {
-          return;
-        }
-        const Piece& piece = pieces_[one.piece];
-        const PlacesOnLine places(operands_, operands_.named(piece.from.leaving()), tally);
-        const Place from = place_on(places, piece.from);
-        const Place to = piece.is_point() ? from : place_on(places, piece.to);
-        if (piece.is_of_ring() || places.compare(from, to) <= 0) {
-          visit(places, from, to, piece.is_of_ring());
-        } else {
-          visit(places, to, from, false);
-        }
-      }
-      if (near.size() == pieces_.size()) {
+    for (double radius = first_radius_;; radius *= 2) {
+      const bool is_last = !(radius < reach);
+      tree_.for_each_near(
+          widened(box_of(p, p), is_last ? reach : radius),
+          [&](std::uint32_t k, const Box& /*box*/) { visit_piece(pieces_[k], tally, visit); });
+      if (is_last || !(reach > radius)) {
         return;
       }
     }
   }
 
  private:
-  static constexpr std::size_t few = 8;
-  // A piece, and a distance that it is not nearer than.
-  struct Near {
-    double distance;
-    std::size_t piece;
-  };
-  struct Tree;
-
+  template <class Visit>
+  void visit_piece(const Piece& piece, Tally& tally, Visit& visit) const {
+    const PlacesOnLine places(operands_, operands_.named(piece.from.leaving()), tally);
+    const Place from = place_on(places, piece.from);
+    const Place to = piece.is_point() ? from : place_on(places, piece.to);
+    if (piece.is_of_ring() || places.compare(from, to) <= 0) {
+      visit(places, from, to, piece.is_of_ring());
+    } else {
+      visit(places, to, from, false);
+    }
+  }
   // A vertex on the line, as the crossing with that of its edges which is not parallel.
   [[nodiscard]] static Place place_on(const PlacesOnLine& places, const RingVertex& v) {
     return places.place(v, places.is_parallel(v.arriving()) ? v.leaving() : v.arriving());
   }
-  // So many pieces, or all of them, by their distances from a point.
-  void find_nearest(const Point& p, std::size_t count, std::vector<Near>& near) const;
 
   const Operands& operands_;
-  double slack_;
-  double scale_;  // of coordinates in the tree, so that squares are in range
   std::vector<Piece> pieces_;
-  std::vector<std::size_t> anywhere_;  // pieces without a box, where numbers have overflowed
-  std::unique_ptr<const Tree> tree_;
+  BoxTree tree_;         // of the pieces
+  double first_radius_;  // of squares, about as large as pieces are apart
 };
 
 }  // namespace gcv
