@@ -37,15 +37,16 @@ class FreeBoundary {
   // way. In squares that grow until one holds the reach: so it calls for some again.
   template <class Visit>
   void for_each_near(const Point& p, const double& reach, Tally& tally, Visit visit) const {
-    for (double radius = first_radius_;; radius *= 2) {
-      const bool is_last = !(radius < reach);
+    double radius = first_radius_;
+    bool is_last = false;
+    do {
+      is_last = !(radius < reach);
       tree_.for_each_near(
           widened(box_of(p, p), is_last ? reach : radius),
           [&](std::uint32_t k, const Box& /*box*/) { visit_piece(pieces_[k], tally, visit); });
-      if (is_last || !(reach > radius)) {
-        return;
-      }
-    }
+      is_last = is_last || !(reach > radius);
+      radius *= 2;
+    } while (!is_last);
   }
 
  private:
