@@ -11,13 +11,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
-#include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "contact/handle.hpp"
 #include "data.hpp"
-#include "gcv/gcv.h"
 #include "generators.hpp"
 #include "region/turns.hpp"
 #include "sets.hpp"
@@ -25,30 +23,11 @@
 namespace gcv::bench {
 namespace {
 
-template <class Handle, void (*destroy)(Handle*)>
-struct Deleter {
-  void operator()(Handle* handle) const { destroy(handle); }
-};
-using OwnedPolygon = std::unique_ptr<gcv_polygon, Deleter<gcv_polygon, gcv_polygon_destroy>>;
-using OwnedRegion = std::unique_ptr<gcv_region, Deleter<gcv_region, gcv_region_destroy>>;
-
-void check(gcv_status status) {
-  if (status != GCV_OK) {
-    throw std::runtime_error(gcv_last_error_message());
-  }
-}
-
-OwnedPolygon polygon_of(const PointVector& ring) {
-  gcv_polygon* polygon = nullptr;
-  check(gcv_polygon_create(&ring.front().x, ring.size(), 0, &polygon));
-  return OwnedPolygon(polygon);
-}
-
-OwnedRegion region_of(const gcv_polygon* a, const gcv_polygon* b) {
+Owned<gcv_region> region_of(const gcv_polygon* a, const gcv_polygon* b) {
   const double origin[2] = {0, 0};
   gcv_region* region = nullptr;
   check(gcv_no_fit_region(a, b, origin, nullptr, &region));
-  return OwnedRegion(region);
+  return Owned<gcv_region>(region);
 }
 
 // The vertices of each part.
@@ -120,8 +99,8 @@ struct Ratios {
 
 Ratios print_row(const Pair& pair, double seconds) {
   const auto [ring_a, ring_b] = pair.make();
-  const OwnedPolygon a = polygon_of(ring_a);
-  const OwnedPolygon b = polygon_of(ring_b);
+  const Owned<gcv_polygon> a = make_polygon(ring_a);
+  const Owned<gcv_polygon> b = make_polygon(ring_b);
   const PointVector places = overlaps(a.get(), b.get(), places_a_call);
   std::vector<gcv_escape> escapes(places.size());
   std::vector<double> depths(places.size());

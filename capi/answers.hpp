@@ -42,13 +42,12 @@ void give_all(std::size_t count, std::uint64_t a_report, std::size_t portion, st
                          auto answer = begin(tally, task);
                          const std::size_t first = number * block;
                          const std::size_t end = std::min(count, first + block);
-                         for (std::size_t k = first; k < end;) {
-                           const std::size_t next = std::min(end, k + portion);
-                           const std::size_t done = next - k;
-                           for (; k < next; ++k) {
+                         for (std::size_t begun = first; begun < end; begun += portion) {
+                           const std::size_t next = std::min(end, begun + portion);
+                           for (std::size_t k = begun; k < next; ++k) {
                              results[k] = answer(k);
                            }
-                           task.advance(done);
+                           task.advance(next - begun);
                          }
                        },
                        [&] { task.watch(); });

@@ -227,7 +227,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
                                                   Task& task, std::uint64_t step) {
-  last_steps_ = 0;
+  last_steps_ = outer_ring.size();
   const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
   NearestFree best(operands_, wanted_, cover_, nearest_edges_, from, relative, most, tally_);

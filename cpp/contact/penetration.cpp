@@ -83,8 +83,12 @@ WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
       wanted_(wanted) {
   if (!wanted.holes) {
-    outer_ring_ = walk_outer_face(a.outer, reflected_b.outer, task, tally).vertices;
+    outer_ring_ = walked_outer_ring(task, tally);
   }
+}
+
+std::vector<RingVertex> WaysOut::walked_outer_ring(Task& task, Tally& tally) const {
+  return walk_outer_face(a_.outer, reflected_b_.outer, task, tally).vertices;
 }
 
 const FreeBoundary* WaysOut::boundary(Task& task) const {
@@ -105,8 +109,9 @@ const FreeBoundary* WaysOut::boundary(Task& task) const {
     Task quiet(1, ask, &task);
     Counts counts;
     ExactRegion region;
-    const Walk walk = walk_outer_face(a_.outer, reflected_b_.outer, quiet, counts.predicates);
-    find_sum_parts(operands_, walk.vertices, wanted_, quiet, counts, region);
+    find_sum_parts(operands_,
+                   wanted_.holes ? walked_outer_ring(quiet, counts.predicates) : outer_ring_,
+                   wanted_, quiet, counts, region);
     return FreeBoundary(operands_, region, slack_of(operands_), counts.predicates);
   });
 }

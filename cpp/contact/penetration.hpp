@@ -44,11 +44,13 @@ class WaysOut {
   [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
 
  private:
+  [[nodiscard]] std::vector<RingVertex> walked_outer_ring(Task& task, Tally& tally) const;
+
   const Polygon& a_;
   const Polygon& reflected_b_;
   Operands operands_;
   WantedParts wanted_;
-  std::vector<RingVertex> outer_ring_;
+  std::vector<RingVertex> outer_ring_;  // without holes
   mutable std::atomic<std::uint64_t> steps_{0};
   Lazy<FreeBoundary> boundary_;
 };

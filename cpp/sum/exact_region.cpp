@@ -198,7 +198,8 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   add_outer_ring(outer, region);
-  if (operands.a.is_convex && operands.b.is_convex) {
+  const bool has_more = wanted.holes || wanted.fits;
+  if (!has_more || (operands.a.is_convex && operands.b.is_convex)) {
     return;
   }
   Finder finder(operands, task, tally);
