@@ -227,6 +227,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
                                                   Task& task, std::uint64_t step) {
+  const std::uint64_t visits_before = cover_.search().visits();
   last_steps_ = outer_ring.size();
   const Point relative = operands_.relative_place(from);
   nearest_edges_.set_goal(Goal::near(relative));
@@ -253,6 +254,7 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }
+  last_steps_ += cover_.search().visits() - visits_before;
   return best.found();
 }
 

@@ -48,7 +48,8 @@ class FreePlaceSearch {
   // be bounded in it. Throws Error: cancelled, internal.
   std::optional<FreePlace> furthest(const Point& direction, Task& task, std::uint64_t step);
 
-  // How many edges and pairs of nodes the last search for a nearest place looked at.
+  // How many edges and pairs of nodes the last search for a nearest place looked at, and how many
+  // visits it took to find witnesses.
   [[nodiscard]] std::uint64_t last_steps() const { return last_steps_; }
 
   // Vectors into the middles of the directions in which all is free next to a furthest place.

@@ -2,6 +2,7 @@
 #include "penetration.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -13,6 +14,12 @@
 #include "relation.hpp"
 
 namespace gcv {
+
+namespace {
+
+constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
+
+}  // namespace
 
 Point way_to(const FreePlace& place, const Point& from, Tally& tally) {
   return nearest_point(place.point, negated(from), tally);
@@ -75,6 +82,23 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
   return result;
 }
 
+// A region that is given up after so many reports.
+struct WaysOut::Attempt {
+  static constexpr std::uint64_t steps_a_report = 1U << 14;  // about, and visits of witnesses
+
+  Task& task;
+  std::uint64_t reports_left;
+  bool is_given_up = false;
+
+  static std::int32_t report(void* context, std::uint64_t /*done*/, std::uint64_t /*all*/) {
+    Attempt& attempt = *static_cast<Attempt*>(context);
+    attempt.task.poll();
+    attempt.is_given_up = attempt.reports_left == 0;
+    --attempt.reports_left;
+    return attempt.is_given_up ? 1 : 0;
+  }
+};
+
 WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted,
                  Task& task, Tally& tally)
     : a_(a),
@@ -82,6 +106,7 @@ WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts
       operands_{a.boundary(), reflected_b.boundary(),
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
       wanted_(wanted) {
+  next_try_ = are_convex() ? 0 : estimated_cover_steps(operands_.a, operands_.b);
   if (!wanted.holes) {
     outer_ring_ = walked_outer_ring(task, tally);
   }
@@ -91,29 +116,42 @@ std::vector<RingVertex> WaysOut::walked_outer_ring(Task& task, Tally& tally) con
   return walk_outer_face(a_.outer, reflected_b_.outer, task, tally).vertices;
 }
 
+// How long the region takes shows when it is found. So it is begun, and given up when it has taken
+// as long as the searches; and again when these have taken twice that.
 const FreeBoundary* WaysOut::boundary(Task& task) const {
-  // A step of a search takes about as long as that many of a region.
-  constexpr std::uint64_t steps_a_step = 4;
-  const Boundary& a = operands_.a;
-  const Boundary& b = operands_.b;
-  const bool is_ring = a.is_convex && b.is_convex;  // which is soon found
-  if (!is_ring && steps_a_step * steps_ < estimated_cover_steps(a, b)) {
+  if (const FreeBoundary* const found = found_.load(std::memory_order_acquire)) {
+    return found;
+  }
+  if (steps_ < next_try_) {
     return nullptr;
   }
-  return &boundary_.get([&] {
-    // It asks the caller, but tells nothing of its own steps.
-    const auto ask = [](void* asked, std::uint64_t /*done*/, std::uint64_t /*all*/) {
-      static_cast<Task*>(asked)->poll();
-      return std::int32_t{0};
-    };
-    Task quiet(1, ask, &task);
-    Counts counts;
-    ExactRegion region;
-    find_sum_parts(operands_,
-                   wanted_.holes ? walked_outer_ring(quiet, counts.predicates) : outer_ring_,
-                   wanted_, quiet, counts, region);
-    return FreeBoundary(operands_, region, slack_of(operands_), counts.predicates);
-  });
+  const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
+  if (!lock.owns_lock() || boundary_ || steps_ < next_try_) {
+    return found_.load(std::memory_order_acquire);
+  }
+  Attempt attempt{task, are_convex() ? no_limit : steps_ / Attempt::steps_a_report + 1};
+  try {
+    find_boundary(attempt);
+  } catch (const Error&) {
+    if (!attempt.is_given_up) {
+      throw;
+    }
+    next_try_ = 2 * steps_;
+    return nullptr;
+  }
+  found_.store(&*boundary_, std::memory_order_release);
+  return &*boundary_;
+}
+
+// It asks the caller, but tells nothing of its own steps.
+void WaysOut::find_boundary(Attempt& attempt) const {
+  Task task(1, &Attempt::report, &attempt, Attempt::steps_a_report);
+  Counts counts;
+  ExactRegion region;
+  find_sum_parts(operands_,
+                 wanted_.holes ? walked_outer_ring(task, counts.predicates) : outer_ring_, wanted_,
+                 task, counts, region);
+  boundary_.emplace(operands_, region, slack_of(operands_), counts.predicates);
 }
 
 Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {

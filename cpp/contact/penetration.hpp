@@ -5,6 +5,8 @@
 
 #include <atomic>
 #include <cstdint>
+#include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,7 +14,6 @@
 #include "exact_region.hpp"
 #include "free_boundary.hpp"
 #include "free_place.hpp"
-#include "lazy.hpp"
 #include "usable_position.hpp"
 
 namespace gcv {
@@ -25,8 +26,8 @@ struct Escape {
 };
 
 // What the ways out at all translations have in common. With holes left out there is the outer ring
-// to go to. The whole boundary is found for convex polygons, and where searches have taken about as
-// long as that. It gives the same ways.
+// to go to. The whole boundary is found for convex polygons, and where searches have taken as long
+// as that. It gives the same ways.
 class WaysOut {
  public:
   // The polygons must live longer.
@@ -37,14 +38,18 @@ class WaysOut {
   [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<RingVertex>& outer_ring() const { return outer_ring_; }
 
-  // A search has taken so many steps.
+  // A search has taken so many steps and visits.
   void add_steps(std::uint64_t steps) const { steps_ += steps; }
-  // Null where searches are quicker, as far as they have gone. The first call that gives it finds
-  // it. Throws Error: cancelled, internal.
+  // Null where searches are quicker, as far as they have gone, and while another thread finds it.
+  // Throws Error: cancelled, internal.
   [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
 
  private:
+  struct Attempt;
+
+  [[nodiscard]] bool are_convex() const { return operands_.a.is_convex && operands_.b.is_convex; }
   [[nodiscard]] std::vector<RingVertex> walked_outer_ring(Task& task, Tally& tally) const;
+  void find_boundary(Attempt& attempt) const;
 
   const Polygon& a_;
   const Polygon& reflected_b_;
@@ -52,7 +57,10 @@ class WaysOut {
   WantedParts wanted_;
   std::vector<RingVertex> outer_ring_;  // without holes
   mutable std::atomic<std::uint64_t> steps_{0};
-  Lazy<FreeBoundary> boundary_;
+  mutable std::atomic<std::uint64_t> next_try_{0};  // at so many steps
+  mutable std::mutex mutex_;                        // of who finds it
+  mutable std::optional<FreeBoundary> boundary_;
+  mutable std::atomic<const FreeBoundary*> found_{nullptr};  // once it is there
 };
 
 // The shortest translation to a place, each coordinate correctly rounded.

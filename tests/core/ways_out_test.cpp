@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "error.hpp"
 #include "generators.hpp"
 #include "penetration.hpp"
 #include "region_families.hpp"
@@ -112,6 +113,47 @@ TEST(WaysOut, AreTheSameForHugeAndTinyPolygons) {
     SCOPED_TRACE(scale);
     compare_ways(3, scale, 4);
   }
+}
+
+// A comb with itself: all gaps fit all teeth, and the region takes long.
+test::PolygonRings comb(int teeth) {
+  PointVector ring{{0, 0}, {teeth - 0.5, 0}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    ring.insert(ring.end(), {{k + 0.5, 9}, {1.0 * k, 9}});
+    if (k > 0) {
+      ring.insert(ring.end(), {{1.0 * k, 1}, {k - 0.5, 1}});
+    }
+  }
+  return {ring};
+}
+
+TEST(WaysOut, GiveUpARegionThatTakesLonger) {
+  const Polygon a = *test::region_operand(comb(60), "a").polygon;
+  Task task;
+  Tally tally;
+  const WaysOut ways(a, a, {}, task, tally);
+  const std::uint64_t few = estimated_cover_steps(a.boundary(), a.boundary());
+  EXPECT_EQ(ways.boundary(task), nullptr);
+  ways.add_steps(few);
+  EXPECT_EQ(ways.boundary(task), nullptr);  // given up
+  ways.add_steps(few - 1);
+  EXPECT_EQ(ways.boundary(task), nullptr);  // not begun
+  ways.add_steps(many_steps);
+  const FreeBoundary* const boundary = ways.boundary(task);
+  EXPECT_NE(boundary, nullptr);
+  EXPECT_EQ(ways.boundary(task), boundary);
+}
+
+TEST(WaysOut, AreCancelledInARegionToo) {
+  const Polygon a = *test::region_operand(comb(60), "a").polygon;
+  Task task;
+  Tally tally;
+  const WaysOut ways(a, a, {}, task, tally);
+  ways.add_steps(many_steps);
+  Task cancelled(
+      1, [](void*, std::uint64_t, std::uint64_t) { return std::int32_t{1}; }, nullptr);
+  EXPECT_THROW((void)ways.boundary(cancelled), Error);
+  EXPECT_NE(ways.boundary(task), nullptr);
 }
 
 }  // namespace
