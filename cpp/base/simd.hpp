@@ -355,6 +355,12 @@ struct BoxBlock {
   [[nodiscard]] unsigned overlapping(const Box& box) const {
     return ~apart(box).bits() & Numbers::all;
   }
+  // The lanes whose boxes hold the given box, as bits.
+  [[nodiscard]] unsigned around(const Box& box) const {
+    const auto outside = (Numbers::load(x0) > box.x0) | (Numbers::load(x1) < box.x1) |
+                         (Numbers::load(y0) > box.y0) | (Numbers::load(y1) < box.y1);
+    return ~outside.bits() & Numbers::all;
+  }
   // Bit k is set if the box of lane k overlaps that of lane k + distance, modulo the width.
   template <int distance>
   [[nodiscard]] unsigned overlapping_at() const {

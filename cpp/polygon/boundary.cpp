@@ -229,6 +229,19 @@ const Boundary::CoverIndex& Boundary::cover_index() const {
   });
 }
 
+const ConvexPieces& Boundary::convex_pieces() const {
+  if (!positions.empty()) {
+    return joined_pieces_;
+  }
+  if (mirror_ != nullptr) {
+    return mirror_->convex_pieces();
+  }
+  return convex_pieces_.get([this] {
+    return kind == Kind::outer && layout.ring_count() == 1 ? find_convex_pieces(vertices)
+                                                           : ConvexPieces();
+  });
+}
+
 Touches Boundary::touches_of_solids() const {
   Touches all(size());
   for (Index solid = 0; solid < solids.size(); ++solid) {
@@ -294,6 +307,7 @@ Boundary joined(std::span<const PlacedBoundary> parts) {
         all.layout.add(size);
       }
     }
+    all.joined_pieces_.add(boundary.convex_pieces(), all.size());
     all.vertices.insert(all.vertices.end(), boundary.vertices.begin(), boundary.vertices.end());
     all.corners.insert(all.corners.end(), boundary.corners.begin(), boundary.corners.end());
     all.positions.insert(all.positions.end(), boundary.size(), position);

@@ -16,6 +16,7 @@
 #include "buffer.hpp"
 #include "chain_tree.hpp"
 #include "chord_tree.hpp"
+#include "convex_pieces.hpp"
 #include "lazy.hpp"
 #include "line_directions.hpp"
 #include "point.hpp"
@@ -33,6 +34,14 @@ inline constexpr std::size_t vertex_limit = 0x7fffffff;
 struct ChainIndex {
   ChainTree tree;
   std::vector<SweptSphereBlock> spheres;
+};
+
+struct Boundary;
+
+// A boundary at a position.
+struct PlacedBoundary {
+  const Boundary& boundary;
+  Point position;
 };
 
 struct Boundary {
@@ -125,6 +134,8 @@ struct Boundary {
     BoxTree solids;  // relative boxes of the solids, if there are several; an outside has the plane
   };
   [[nodiscard]] const CoverIndex& cover_index() const;
+  // Of solids that are small and have one ring. Made on first use, too.
+  [[nodiscard]] const ConvexPieces& convex_pieces() const;
 
   // The reflection -R = { -p : p in R }, with the same numbers. Each line direction stays, and each
   // edge points the other way. O(n): the line directions are sorted once for both.
@@ -138,17 +149,14 @@ struct Boundary {
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
   Lazy<CoverIndex> cover_index_;
+  Lazy<ConvexPieces> convex_pieces_;
+  ConvexPieces joined_pieces_;  // where boundaries are joined at positions
 
   [[nodiscard]] EdgeChain relative_chain() const;
   [[nodiscard]] Touches touches_of_solids() const;
   [[nodiscard]] BoxTree solid_boxes() const;
+  friend Boundary joined(std::span<const PlacedBoundary> parts);
   friend Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
-};
-
-// A boundary at a position.
-struct PlacedBoundary {
-  const Boundary& boundary;
-  Point position;
 };
 
 // All of their solids as one boundary. At least one. Only the first can have an outside.

@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Finds the boxes that meet a box.
+// Finds the boxes that meet a box, or that hold it.
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "box.hpp"
+#include "simd.hpp"
 
 namespace gcv {
 
-// A bounding volume hierarchy over boxes: each node holds two halves of its boxes.
+// A bounding volume hierarchy over boxes: those below a block are dealt out to its four lanes.
 class BoxTree {
  public:
   BoxTree() = default;
@@ -22,29 +24,62 @@ class BoxTree {
   // Calls visit(k, its box) for each box k that meets that box.
   template <class Visit>
   void for_each_near(const Box& box, Visit visit) const {
-    std::size_t node = 0;
-    while (node < nodes_.size()) {
-      const Node& here = nodes_[node];
-      const bool is_near = !are_apart(here.box, box);
-      if (is_near && here.behind == node + 1) {
-        visit(here.number, here.box);
-      }
-      node = is_near ? node + 1 : here.behind;
-    }
+    any([&](const Boxes& boxes) { return boxes.overlapping(box); },
+        [&](std::uint32_t k, const Box& near) {
+          visit(k, near);
+          return false;
+        });
+  }
+
+  // Is test(k, its box) true for a box k that holds that box?
+  template <class Test>
+  [[nodiscard]] bool any_around(const Box& box, Test test) const {
+    return any([&](const Boxes& boxes) { return boxes.around(box); }, test);
   }
 
  private:
-  // Those below a node follow it.
-  struct Node {
-    Box box;
-    std::uint32_t number;  // of the box, of a leaf
-    std::uint32_t behind;  // the first node that is not below
+  using Boxes = BoxBlock<SimdDouble, Box>;
+  struct Block {
+    Boxes boxes;
+    std::uint32_t below[SimdDouble::width];  // the number of the box, or the block below
+    unsigned lanes;                          // those that are used, as bits
+    unsigned leaves;                         // those that are boxes
   };
+  // Lanes of a block have a quarter of its boxes each, one more at most. So there are at most 17
+  // levels, each of which leaves three lanes waiting.
+  static constexpr std::size_t most_waiting = 64;
 
-  // Adds a node over these boxes, and all below it.
-  void add(std::span<const Box> boxes, std::span<std::uint32_t> numbers);
+  template <class Lanes, class Test>
+  bool any(Lanes lanes_of, Test test) const {
+    std::uint32_t waiting[most_waiting];
+    std::size_t count = 0;
+    if (!blocks_.empty()) {
+      waiting[count++] = 0;
+    }
+    while (count > 0) {
+      const Block& block = blocks_[waiting[--count]];
+      const unsigned lanes = lanes_of(block.boxes) & block.lanes;
+      for (unsigned leaves = lanes & block.leaves; leaves != 0; leaves &= leaves - 1) {
+        const auto lane = static_cast<std::uint32_t>(std::countr_zero(leaves));
+        if (test(block.below[lane], block.boxes.box(lane))) {
+          return true;
+        }
+      }
+      for_each_lane(lanes & ~block.leaves,
+                    [&](std::uint32_t lane) { waiting[count++] = block.below[lane]; });
+    }
+    return false;
+  }
 
-  std::vector<Node> nodes_;
+  // A box, or a block, and the box of what is below.
+  struct Lane {
+    std::uint32_t below;
+    Box box;
+  };
+  // Adds a block over these boxes, and all below it.
+  Lane add(std::span<const Box> boxes, std::span<std::uint32_t> numbers);
+
+  std::vector<Block> blocks_;
 };
 
 }  // namespace gcv

@@ -23,19 +23,22 @@ constexpr auto comes_later = [](const auto& p, const auto& q) {
   return p.nodes.a != q.nodes.a ? p.nodes.a > q.nodes.a : p.nodes.b > q.nodes.b;
 };
 
+// Infinite where squares of extents are beyond the largest double: then nothing is certain.
+double slack_in_range(const Operands& operands) {
+  const double slack = slack_of(operands);
+  const double extents = 0x1p48 * slack;
+  return extents * extents <= std::numeric_limits<double>::max() ? slack : infinity;
+}
+
 }  // namespace
 
 WitnessSearch::WitnessSearch(const Operands& operands)
     : operands_(operands),
       a_(operands.a.cover_index().chords),
       b_(operands.b.cover_index().chords),
-      slack_(slack_of(operands)),
-      cells_(operands, slack_) {
-  const double extents = 0x1p48 * slack_;
-  if (!(extents * extents <= std::numeric_limits<double>::max())) {
-    slack_ = infinity;  // nothing is certain in doubles
-  }
-}
+      slack_(slack_in_range(operands)),
+      cells_(operands, slack_),
+      sums_(operands, slack_) {}
 
 WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
   const bool of_a = a_.extent(nodes.a) >= b_.extent(nodes.b);
@@ -128,7 +131,8 @@ WitnessSearch::Ranges WitnessSearch::ranges(const Family& family) const {
   return result;
 }
 
-void WitnessSearch::begin(const RelativeLine& line) {
+void WitnessSearch::begin(const RelativeLine& line, bool with_sums) {
+  uses_sums_ = with_sums && !sums_.is_empty();
   line_ = line;
   queue_.assign(1, Waiting{{-2, 2}, roots});
   next_ = 0;
@@ -191,6 +195,9 @@ double WitnessSearch::reach(double t, double until) {
   while (t < until) {
     const double least = std::min(1.0, t + least_progress);
     double end = cells_.reach(line_, t);
+    if (end < least && uses_sums_) {
+      end = sums_.reach(line_, t, least_progress);
+    }
     if (end < least) {
       end = met_reach(t, least);
     }

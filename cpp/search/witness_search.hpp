@@ -8,6 +8,7 @@
 
 #include "chord_tree.hpp"
 #include "contributing_vertices.hpp"
+#include "convex_sums.hpp"
 #include "covered_cells.hpp"
 #include "edges_below.hpp"
 #include "sectors.hpp"
@@ -22,8 +23,11 @@ class WitnessSearch {
  public:
   explicit WitnessSearch(const Operands& operands);
 
-  // Sets out along a line, from its start.
-  void begin(const RelativeLine& line);
+  // Sets out along a line, from its start. Without sums of convex pieces, a pair of edges near the
+  // place that is reached covers it, as a rule.
+  void begin(const RelativeLine& line, bool with_sums = true);
+  // Does it reach places by sums of convex pieces?
+  [[nodiscard]] bool uses_sums() const { return uses_sums_; }
 
   // How far from t on the line lies in the open sum: a parameter up to 1, itself in the open sum.
   // t itself if no witness holds it, or none much more. Goes no further once it is beyond `until`.
@@ -47,9 +51,10 @@ class WitnessSearch {
   template <class Visit, class Pass>
   void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
 
-  // Do covered cells hold a box in relative coordinates, or does the last witness?
-  [[nodiscard]] bool covers(const Box& box) const {
-    return (last_ && last_->holds(box)) || cells_.hold(box);
+  // Do covered cells hold a box in relative coordinates, or does the last witness, or one of the
+  // sums of convex pieces?
+  [[nodiscard]] bool covers(const Box& box) {
+    return (last_ && last_->holds(box)) || cells_.hold(box) || sums_.hold(box);
   }
 
   [[nodiscard]] double slack() const { return slack_; }
@@ -141,6 +146,8 @@ class WitnessSearch {
   std::uint64_t visits_ = 0;
 
   CoveredCells cells_;
+  ConvexSums sums_;
+  bool uses_sums_ = false;
   std::optional<Witness> last_;  // that was found
 };
 

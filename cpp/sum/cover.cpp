@@ -138,10 +138,9 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
     }
   }
   if (!furthest || places.compare(*furthest, start) <= 0) {
-    if (t > from) {
-      search_.begin(line);  // for the start lies further back
-    }
-    return start;
+    const bool with_sums = search_.uses_sums();
+    search_.begin(line, !with_sums);  // for the start lies further back
+    return with_sums ? skip(places, line, from, start) : start;
   }
   return places.compare(*furthest, places.end()) > 0 ? std::nullopt : furthest;
 }
