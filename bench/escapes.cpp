@@ -5,18 +5,16 @@
 // Ways out of random overlaps of the pairs of pairs.txt, beside the whole region with a search for
 // the nearest point on it. One thread, each in turns for SECONDS, 0.5 by default. Prints a table in
 // Markdown.
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstdlib>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "contact/handle.hpp"
 #include "data.hpp"
-#include "generators.hpp"
+#include "region/nearest.hpp"
+#include "region/overlaps.hpp"
 #include "region/turns.hpp"
 #include "sets.hpp"
 
@@ -49,47 +47,6 @@ std::vector<PointVector> parts_of(const gcv_region* region) {
   return result;
 }
 
-double distance_from_edge(const Point& p, const Point& from, const Point& to) {
-  const Point d{to.x - from.x, to.y - from.y};
-  const Point v{p.x - from.x, p.y - from.y};
-  const double square = d.x * d.x + d.y * d.y;
-  const double t = square > 0 ? std::clamp((v.x * d.x + v.y * d.y) / square, 0.0, 1.0) : 0;
-  return std::hypot(v.x - t * d.x, v.y - t * d.y);
-}
-
-double distance_from_parts(const Point& p, const std::vector<PointVector>& parts) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const PointVector& part : parts) {
-    for (std::size_t k = 0; k < part.size(); ++k) {
-      least = std::min(least, distance_from_edge(p, part[k], part[(k + 1) % part.size()]));
-    }
-  }
-  return least;
-}
-
-// Random places in the box of the sum, where they overlap.
-PointVector overlaps(const gcv_polygon* a, const gcv_polygon* b, std::size_t count) {
-  double of_a[4];
-  double of_b[4];
-  check(gcv_polygon_bounds(a, of_a));
-  check(gcv_polygon_bounds(b, of_b));
-  test::Random random(5);
-  const auto between = [&](double low, double high) {
-    return low + (high - low) * test::uniform(random, 0, 1 << 20) / (1 << 20);
-  };
-  PointVector places;
-  while (places.size() < count) {
-    const double x = between(of_a[0] - of_b[2], of_a[2] - of_b[0]);
-    const Point p{x, between(of_a[1] - of_b[3], of_a[3] - of_b[1])};
-    std::int8_t relation = 0;
-    check(gcv_relation(a, b, &p.x, 1, nullptr, &relation));
-    if (relation == GCV_OVERLAPPING) {
-      places.push_back(p);
-    }
-  }
-  return places;
-}
-
 constexpr std::size_t places_a_call = 200;
 
 struct Ratios {
@@ -109,7 +66,7 @@ Ratios print_row(const Pair& pair, double seconds) {
   const Turns turns(
       {[&] {
          const std::size_t k = one_more();
-         depths[k] = distance_from_parts(places[k], parts_of(region_of(a.get(), b.get()).get()));
+         depths[k] = nearest_point(parts_of(region_of(a.get(), b.get()).get()), places[k]).distance;
        },
        [&] {
          const std::size_t k = one_more();

@@ -12,6 +12,7 @@
 
 #include "region/answers.hpp"
 #include "region/tables.hpp"
+#include "region/ways_out.hpp"
 #include "text.hpp"
 
 namespace gcv::bench {
@@ -27,7 +28,8 @@ constexpr Part parts[] = {{"pairs", "Pairs", print_pairs},
                           {"samples", "Samples", print_samples},
                           {"growth", "Growth", print_growth},
                           {"positions", "Positions", print_positions},
-                          {"answers", "Wrong answers", print_answers}};
+                          {"answers", "Wrong answers", print_answers},
+                          {"ways-out", "Ways out", print_ways_out}};
 
 void run(const std::vector<std::string>& arguments) {
   bool quick = false;

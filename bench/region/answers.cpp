@@ -3,14 +3,11 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <string>
-#include <type_traits>
 #include <vector>
 
+#include "answer_sets.hpp"
 #include "apart.hpp"
-#include "data.hpp"
-#include "generators.hpp"
 #include "sets.hpp"
 #include "systems/whole.hpp"
 #include "turns.hpp"
@@ -22,21 +19,6 @@ namespace {
 
 constexpr double limit = 20;  // seconds for one system on one pair
 constexpr double turns_seconds = 0.05;
-
-template <class Value>
-std::string to_bytes(const Value& value) {
-  static_assert(std::is_trivially_copyable_v<Value>);
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
-
-template <class Value>
-Value from_bytes(const std::string& bytes) {
-  Value value{};
-  std::memcpy(&value, bytes.data(), sizeof value);
-  return value;
-}
 
 // Of libgcv's region, and of its free points that CGAL's do_intersect does not find free.
 struct Truth {
@@ -121,34 +103,6 @@ void print_table(const std::vector<WholeSystem>& systems, const std::vector<Tall
   }
   std::puts("");
   std::fflush(stdout);
-}
-
-// B reflected: sums become no-fit regions.
-Set reflected(Set set) {
-  for (Pair& pair : set.pairs) {
-    pair.make = [make = pair.make] {
-      const auto [a, b] = make();
-      return Rings{a, test::negated(b)};
-    };
-  }
-  return set;
-}
-
-std::vector<Set> answer_sets(bool quick) {
-  std::vector<Set> sets{region_ties(quick ? 3 : 30),
-                        {.name = "turned slots", .pairs = rotated_slots(quick ? 10 : 100)}};
-  if (const auto directory = test::data_directory()) {
-    sets.push_back(lost_holes(*directory));
-    Set real{.name = "real pairs"};
-    for (const Set& set : blocks_of_pairs(*directory)) {
-      real.pairs.insert(real.pairs.end(), set.pairs.begin(), set.pairs.end());
-    }
-    sets.push_back(real);
-    sets.push_back(reflected(nesting(*directory, quick ? 10 : 100)));
-  } else {
-    std::fputs("The real pairs are left out: their folder is not there.\n", stderr);
-  }
-  return sets;
 }
 
 class Answers {
