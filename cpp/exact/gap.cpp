@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "gap.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <span>
+#include <tuple>
 #include <type_traits>
 
 #include "ball.hpp"
@@ -83,6 +88,65 @@ std::optional<double> exact_length(const DoubleDoubleVector& v) {
   return is_exact ? std::optional(root) : std::nullopt;
 }
 
+bool is_exactly_zero(const DoubleDouble& x) { return x.is_double() && x.hi == 0; }
+
+// The sign of the sum of at most twelve doubles. Nothing where it overflows. The parts do not
+// overlap, and each is smaller than the next. Source: Shewchuk, Adaptive Precision Floating-Point
+// Arithmetic and Fast Robust Geometric Predicates, section 2.4.
+std::optional<int> sign_of_sum(std::span<const double> numbers) {
+  double parts[12];
+  std::size_t count = 0;
+  for (double number : numbers) {
+    if (number == 0) {
+      continue;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const double sum = number + parts[k];
+      parts[k] = rounding_error(number, parts[k], sum);
+      number = sum;
+    }
+    if (!std::isfinite(number)) {
+      return std::nullopt;
+    }
+    parts[count++] = number;
+  }
+  while (count > 0 && parts[count - 1] == 0) {
+    --count;
+  }
+  return count == 0 ? 0 : parts[count - 1] > 0 ? 1 : -1;
+}
+
+// Numbers whose sum is the distance, where it is one along an axis.
+std::optional<std::array<double, 6>> gap_along_axis(const Gap& gap) {
+  const SumPoint& p = gap.point;
+  const SumPoint& o = gap.edge.origin;
+  const std::array<double, 6> x{p.a.x, -o.a.x, p.b.x, -o.b.x, p.c.x, -o.c.x};
+  const std::array<double, 6> y{p.a.y, -o.a.y, p.b.y, -o.b.y, p.c.y, -o.c.y};
+  const bool is_along_x = gap.is_to_line ? gap.edge.dx == 0 : sign_of_sum(y) == 0;
+  const bool is_along_y = gap.is_to_line ? gap.edge.dy == 0 : sign_of_sum(x) == 0;
+  if (!is_along_x && !is_along_y) {
+    return std::nullopt;
+  }
+  std::array<double, 6> along = is_along_x ? x : y;
+  if (sign_of_sum(along) == -1) {
+    std::transform(along.begin(), along.end(), along.begin(), std::negate<>());
+  }
+  return along;
+}
+
+// The sign of p - q, if both are along an axis.
+std::optional<int> compare_along_axis(const Gap& p, const Gap& q) {
+  const auto along_p = gap_along_axis(p);
+  const auto along_q = along_p ? gap_along_axis(q) : std::nullopt;
+  if (!along_q) {
+    return std::nullopt;
+  }
+  std::array<double, 12> difference;
+  std::copy(along_p->begin(), along_p->end(), difference.begin());
+  std::transform(along_q->begin(), along_q->end(), difference.begin() + 6, std::negate<>());
+  return sign_of_sum(difference);
+}
+
 Ball length_of(const DoubleDoubleVector& v) {
   const Ball x = Ball::of(v.x);
   const Ball y = Ball::of(v.y);
@@ -143,6 +207,10 @@ Point turned_left(const Point& p) { return {-p.y, p.x}; }
 }  // namespace
 
 int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
+  if (const std::optional<int> along_axis = compare_along_axis(p, q)) {
+    ++tally.filtered;
+    return *along_axis;
+  }
   Grid grid;
   include(grid, p);
   include(grid, q);
@@ -195,6 +263,14 @@ double nearest_gap(const Gap& gap, Tally& tally) {
 
 Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally) {
   const DoubleDoubleVector v = double_double_vector(from, to);
+  const bool is_along_x = is_exactly_zero(v.y);
+  const DoubleDouble& other = is_along_x ? v.x : v.y;
+  const double along = other.hi + other.lo;
+  if ((is_along_x || is_exactly_zero(v.x)) && std::abs(along) > 0x1p-100 * other.size) {
+    ++tally.filtered;
+    const double unit = std::copysign(1.0, along);
+    return is_along_x ? Point{unit, 0} : Point{0, unit};
+  }
   const auto is_sure = [](const Ball& ball) { return ball.error <= 0x1p-60 * std::abs(ball.hi); };
   if (is_in_range(v)) {
     const Ball length = length_of(v);
@@ -264,6 +340,10 @@ Point nearest_point(const SumPoint& point, Tally& tally, const Point& shift) {
 }
 
 Point nearest_crossing(const SumEdge& s, const SumEdge& t, Tally& tally, const Point& shift) {
+  if ((s.dx == 0 && t.dy == 0) || (s.dy == 0 && t.dx == 0)) {
+    const auto& [p, q] = s.dx == 0 ? std::tie(s.origin, t.origin) : std::tie(t.origin, s.origin);
+    return nearest_point({{p.a.x, q.a.y}, {p.b.x, q.b.y}, {p.c.x, q.c.y}}, tally, shift);
+  }
   if (const auto in_doubles = rounded_crossing(s, t, shift)) {
     ++tally.filtered;
     return {in_doubles->x.value + 0.0, in_doubles->y.value + 0.0};
