@@ -150,7 +150,7 @@ gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const dou
     Preparation preparation{asked->options, count};
     Task task(1, asked->options.progress == nullptr ? nullptr : report_preparation, &preparation);
     Tally tally_of_all;
-    const gcv::WaysOut ways(*a->polygon, *b->reflected(), wanted_parts(asked->options), task,
+    const gcv::WaysOut ways(*a->polygon, *b->reflected(), wanted_parts(asked->options), count, task,
                             tally_of_all);
     // A search takes long to begin: so each serves many translations.
     const unsigned threads = gcv::capi::threads_of(asked->options);

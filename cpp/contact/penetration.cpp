@@ -100,13 +100,14 @@ struct WaysOut::Attempt {
 };
 
 WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted,
-                 Task& task, Tally& tally)
+                 std::size_t places, Task& task, Tally& tally)
     : a_(a),
       reflected_b_(reflected_b),
       operands_{a.boundary(), reflected_b.boundary(),
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
-      wanted_(wanted) {
-  next_try_ = are_convex() ? 0 : estimated_cover_steps(operands_.a, operands_.b);
+      wanted_(wanted),
+      places_(places) {
+  next_try_ = estimated_cover_steps(operands_.a, operands_.b) / 4;  // it may take less
   if (!wanted.holes) {
     outer_ring_ = walked_outer_ring(task, tally);
   }
@@ -116,27 +117,39 @@ std::vector<RingVertex> WaysOut::walked_outer_ring(Task& task, Tally& tally) con
   return walk_outer_face(a_.outer, reflected_b_.outer, task, tally).vertices;
 }
 
+std::uint64_t WaysOut::steps_to_spend() const {
+  if (are_convex()) {
+    return no_limit;
+  }
+  constexpr std::uint64_t fewest_searches = 2;  // one alone may be short
+  const std::uint64_t searches = searches_;
+  return searches < fewest_searches || searches >= places_
+             ? 0
+             : steps_ / searches * (places_ - searches) / 2;
+}
+
 // How long the region takes shows when it is found. So it is begun, and given up when it has taken
-// as long as the searches; and again when these have taken twice that.
+// too long.
 const FreeBoundary* WaysOut::boundary(Task& task) const {
   if (const FreeBoundary* const found = found_.load(std::memory_order_acquire)) {
     return found;
   }
-  if (steps_ < next_try_) {
+  if (steps_to_spend() < next_try_) {
     return nullptr;
   }
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-  if (!lock.owns_lock() || boundary_ || steps_ < next_try_) {
+  const std::uint64_t steps = steps_to_spend();
+  if (!lock.owns_lock() || boundary_ || steps < next_try_) {
     return found_.load(std::memory_order_acquire);
   }
-  Attempt attempt{task, are_convex() ? no_limit : steps_ / Attempt::steps_a_report + 1};
+  Attempt attempt{task, steps / Attempt::steps_a_report + 1};
   try {
     find_boundary(attempt);
   } catch (const Error&) {
     if (!attempt.is_given_up) {
       throw;
     }
-    next_try_ = 2 * steps_;
+    next_try_ = 4 * steps;
     return nullptr;
   }
   found_.store(&*boundary_, std::memory_order_release);
@@ -164,7 +177,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
   const std::optional<FreePlace> place =
       boundary != nullptr ? search_.nearest(from, *boundary)
                           : search_.nearest(from, infinity, ways_.outer_ring(), task, 0);
-  ways_.add_steps(search_.last_steps());
+  ways_.add_search(search_.last_steps());
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }

@@ -26,20 +26,23 @@ struct Escape {
 };
 
 // What the ways out at all translations have in common. With holes left out there is the outer ring
-// to go to. The whole boundary is found for convex polygons, and where searches have taken as long
-// as that. It gives the same ways.
+// to go to. The whole boundary is found for convex polygons, and where it takes a part of the time
+// of the searches that are still to come. It gives the same ways.
 class WaysOut {
  public:
-  // The polygons must live longer.
-  WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted, Task& task,
-          Tally& tally);
+  // The polygons must live longer. `places`: how many translations there are, about.
+  WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted,
+          std::size_t places, Task& task, Tally& tally);
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
   [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<RingVertex>& outer_ring() const { return outer_ring_; }
 
   // A search has taken so many steps and visits.
-  void add_steps(std::uint64_t steps) const { steps_ += steps; }
+  void add_search(std::uint64_t steps) const {
+    steps_ += steps;
+    ++searches_;
+  }
   // Null where searches are quicker, as far as they have gone, and while another thread finds it.
   // Throws Error: cancelled, internal.
   [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
@@ -49,6 +52,9 @@ class WaysOut {
 
   [[nodiscard]] bool are_convex() const { return operands_.a.is_convex && operands_.b.is_convex; }
   [[nodiscard]] std::vector<RingVertex> walked_outer_ring(Task& task, Tally& tally) const;
+  // How many steps the boundary may take: half of those that searches will take without it,
+  // which take about twice as long.
+  [[nodiscard]] std::uint64_t steps_to_spend() const;
   void find_boundary(Attempt& attempt) const;
 
   const Polygon& a_;
@@ -56,8 +62,10 @@ class WaysOut {
   Operands operands_;
   WantedParts wanted_;
   std::vector<RingVertex> outer_ring_;  // without holes
+  std::uint64_t places_;
   mutable std::atomic<std::uint64_t> steps_{0};
-  mutable std::atomic<std::uint64_t> next_try_{0};  // at so many steps
+  mutable std::atomic<std::uint64_t> searches_{0};
+  mutable std::atomic<std::uint64_t> next_try_{0};  // with so many steps to spend
   mutable std::mutex mutex_;                        // of who finds it
   mutable std::optional<FreeBoundary> boundary_;
   mutable std::atomic<const FreeBoundary*> found_{nullptr};  // once it is there

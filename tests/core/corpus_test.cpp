@@ -132,7 +132,7 @@ std::string escape_text(const std::shared_ptr<const Polygon>& a,
   Task task;
   Tally tally;
   const Polygon reflected = Polygon::reflected(b);
-  const WaysOut ways(*a, reflected, {}, task, tally);
+  const WaysOut ways(*a, reflected, {}, 1, task, tally);
   const PolygonPair pair(*a, *b);
   const Escape escape = EscapeSearch(ways, tally).find(PlacedPair(pair, translation), task);
   return text_of(escape.depth) + text_of(escape.translation) + text_of(escape.place, line) +

@@ -35,8 +35,9 @@ Numbers numbers_of(const Escape& escape) {
   return numbers;
 }
 
-// Steps that no search takes.
+// Steps that no search takes, and places that so many are asked.
 constexpr std::uint64_t many_steps = std::uint64_t{1} << 40;
+constexpr std::size_t many_places = 1001;
 
 class WaysOfPair {
  public:
@@ -60,8 +61,10 @@ class WaysOfPair {
                              std::uint64_t steps) const {
     Task task;
     Tally tally;
-    const WaysOut ways(a_, reflected_, wanted, task, tally);
-    ways.add_steps(steps);
+    const WaysOut ways(a_, reflected_, wanted, many_places, task, tally);
+    for (int k = 0; k < 4; ++k) {
+      ways.add_search(steps / 4);
+    }
     EXPECT_EQ(ways.boundary(task) != nullptr,
               steps > 0 || (a_.boundary().is_convex && b_.boundary().is_convex));
     return numbers_of(EscapeSearch(ways, tally).find(PlacedPair(pair_, translation), task));
@@ -127,29 +130,48 @@ test::PolygonRings comb(int teeth) {
   return {ring};
 }
 
+// Half of the steps of the searches to come may be spent.
 TEST(WaysOut, GiveUpARegionThatTakesLonger) {
   const Polygon a = *test::region_operand(comb(60), "a").polygon;
   Task task;
   Tally tally;
-  const WaysOut ways(a, a, {}, task, tally);
-  const std::uint64_t few = estimated_cover_steps(a.boundary(), a.boundary());
+  const WaysOut ways(a, a, {}, many_places, task, tally);
+  const std::uint64_t few = estimated_cover_steps(a.boundary(), a.boundary()) / 4;
   EXPECT_EQ(ways.boundary(task), nullptr);
-  ways.add_steps(few);
-  EXPECT_EQ(ways.boundary(task), nullptr);  // given up
-  ways.add_steps(few - 1);
+  const auto add = [&](std::uint64_t steps) {
+    for (int k = 0; k < 4; ++k) {
+      ways.add_search(steps);
+    }
+  };
+  add(few / 500);
   EXPECT_EQ(ways.boundary(task), nullptr);  // not begun
-  ways.add_steps(many_steps);
+  add(few / 500 + 8);
+  EXPECT_EQ(ways.boundary(task), nullptr);  // given up
+  add(few / 500 + 8);
+  EXPECT_EQ(ways.boundary(task), nullptr);  // not begun
+  ways.add_search(many_steps);
   const FreeBoundary* const boundary = ways.boundary(task);
   EXPECT_NE(boundary, nullptr);
   EXPECT_EQ(ways.boundary(task), boundary);
+}
+
+TEST(WaysOut, AreSearchedForWhereFewAreLeft) {
+  const Polygon a = *test::region_operand(comb(60), "a").polygon;
+  Task task;
+  Tally tally;
+  const WaysOut ways(a, a, {}, 1, task, tally);
+  ways.add_search(many_steps);
+  EXPECT_EQ(ways.boundary(task), nullptr);
 }
 
 TEST(WaysOut, AreCancelledInARegionToo) {
   const Polygon a = *test::region_operand(comb(60), "a").polygon;
   Task task;
   Tally tally;
-  const WaysOut ways(a, a, {}, task, tally);
-  ways.add_steps(many_steps);
+  const WaysOut ways(a, a, {}, many_places, task, tally);
+  for (int k = 0; k < 4; ++k) {
+    ways.add_search(many_steps);
+  }
   Task cancelled(
       1, [](void*, std::uint64_t, std::uint64_t) { return std::int32_t{1}; }, nullptr);
   EXPECT_THROW((void)ways.boundary(cancelled), Error);
