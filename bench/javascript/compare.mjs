@@ -12,6 +12,7 @@
 import { existsSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { performance } from "node:perf_hooks";
+import { brotliCompressSync } from "node:zlib";
 
 import * as gcv from "../../bindings/javascript/dist/index.js";
 
@@ -113,6 +114,12 @@ const region = (a, b) => {
   found.free();
   return vertices;
 };
+
+for (const name of ["gcv-simd", "gcv"]) {
+  const module = readFileSync(new URL(`bindings/javascript/dist/${name}.wasm`, root));
+  console.log(`${name}.wasm: ${module.length} bytes, ${brotliCompressSync(module).length} by Brotli`);
+}
+console.log();
 
 const others = [clipperLib(), await clipper2()];
 console.log("| pair | vertices | outer face, ms | region, ms | clipper-lib | Clipper2 |");
