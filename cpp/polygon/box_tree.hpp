@@ -24,11 +24,11 @@ class BoxTree {
   // Calls visit(k, its box) for each box k that meets that box.
   template <class Visit>
   void for_each_near(const Box& box, Visit visit) const {
-    any([&](const Boxes& boxes) { return boxes.overlapping(box); },
-        [&](std::uint32_t k, const Box& near) {
-          visit(k, near);
-          return false;
-        });
+    static_cast<void>(any([&](const Boxes& boxes) { return boxes.overlapping(box); },
+                          [&](std::uint32_t k, const Box& near) {
+                            visit(k, near);
+                            return false;
+                          }));
   }
 
   // Is test(k, its box) true for a box k that holds that box?
@@ -50,7 +50,7 @@ class BoxTree {
   static constexpr std::size_t most_waiting = 64;
 
   template <class Lanes, class Test>
-  bool any(Lanes lanes_of, Test test) const {
+  [[nodiscard]] bool any(Lanes lanes_of, Test test) const {
     std::uint32_t waiting[most_waiting];
     std::size_t count = 0;
     if (!blocks_.empty()) {

@@ -6,51 +6,11 @@
 #include <cassert>
 #include <utility>
 
+#include "curve_order.hpp"
+
 namespace gcv {
 
 namespace {
-
-// The place of a point of a square of 2^16 x 2^16 on the curve of Hilbert: points that are near on
-// the curve are near. Source: Warren, Hacker's Delight, chapter 16.
-std::uint32_t place_on_curve(std::uint32_t x, std::uint32_t y) {
-  std::uint32_t place = 0;
-  for (std::uint32_t bit = 1U << 15U; bit != 0; bit >>= 1U) {
-    const bool right = (x & bit) != 0;
-    const bool up = (y & bit) != 0;
-    place = (place << 2U) | ((right ? 3U : 0U) ^ (up ? 1U : 0U));
-    if (!up) {
-      if (right) {
-        x = ~x;
-        y = ~y;
-      }
-      std::swap(x, y);
-    }
-  }
-  return place;
-}
-
-// The centres of boxes on a grid that covers all of them.
-class CurveOrder {
- public:
-  explicit CurveOrder(std::span<const BoxForest::Change> boxes) {
-    for (const BoxForest::Change& change : boxes) {
-      bounds_ = hull_of(bounds_, change.box);
-    }
-  }
-  [[nodiscard]] std::uint32_t place(const Box& box) const {
-    return place_on_curve(on_grid(box.x0, box.x1, bounds_.x0, bounds_.x1),
-                          on_grid(box.y0, box.y1, bounds_.y0, bounds_.y1));
-  }
-
- private:
-  static std::uint32_t on_grid(double low, double high, double first, double last) {
-    const double share = (low / 2 + high / 2 - first) / (last - first);
-    // Where extents overflow, the order does not matter.
-    return share >= 0 && share <= 1 ? static_cast<std::uint32_t>(share * 65535) : 0;
-  }
-
-  Box bounds_ = empty_box;
-};
 
 bool is_empty(const Box& box) { return box.x0 > box.x1; }
 double extent_of(const Box& box) {
@@ -88,7 +48,11 @@ BoxForest::Tree BoxForest::build(std::span<const Change> boxes) {
   const auto count = static_cast<std::uint32_t>(boxes.size());
   // The place on the curve, then the number of the box: no two keys are equal.
   std::vector<std::uint64_t> keys(count);
-  const CurveOrder order(boxes);
+  Box bounds = empty_box;
+  for (const Change& change : boxes) {
+    bounds = hull_of(bounds, change.box);
+  }
+  const CurveOrder order(bounds);
   for (std::uint32_t k = 0; k < count; ++k) {
     keys[k] = std::uint64_t{order.place(boxes[k].box)} << 32U | k;
   }

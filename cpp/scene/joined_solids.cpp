@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <tuple>
 #include <utility>
 
+#include "curve_order.hpp"
 #include "error.hpp"
 #include "placed_box.hpp"
 
@@ -119,14 +121,31 @@ std::optional<Solid> container_of(const Scene& scene, const Query& query) {
   return query.admits_container() ? scene.container() : std::nullopt;
 }
 
-// The members whose boxes meet a box, in the order of their ids.
+// The members whose boxes meet a box: neighbours in a row, whatever the order of their ids, for the
+// trees over their edges.
 std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, const Box& box) {
-  std::vector<std::uint32_t> slots;
+  struct Near {
+    std::uint32_t slot;
+    Box box;
+    std::uint32_t place;
+  };
+  std::vector<Near> all;
+  Box bounds = empty_box;
   any_near(scene, query, box, [&](std::uint32_t slot) {
-    slots.push_back(slot);
+    const Solid solid = scene.solid(slot);
+    all.push_back({slot, moved_outwards(solid.boundary.bounds, solid.position), 0});
+    bounds = hull_of(bounds, all.back().box);
     return false;
   });
-  std::sort(slots.begin(), slots.end());
+  const CurveOrder order(bounds);
+  for (Near& near : all) {
+    near.place = order.place(near.box);
+  }
+  std::sort(all.begin(), all.end(), [](const Near& p, const Near& q) {
+    return std::tie(p.place, p.slot) < std::tie(q.place, q.slot);
+  });
+  std::vector<std::uint32_t> slots(all.size());
+  std::transform(all.begin(), all.end(), slots.begin(), [](const Near& near) { return near.slot; });
   return slots;
 }
 

@@ -16,7 +16,7 @@ namespace gcv {
 
 struct JoinedSolids {
   // The outside of the container comes first; without one, that of a frame round the window. Then
-  // the members, in the order of their ids, then the window.
+  // the members, those near each other in a row, then the window.
   std::shared_ptr<const Boundary> boundary;
   std::vector<Id> owners;  // the solid that each ring belongs to; 0 for the frame and the window
   std::optional<WindowBorder> border;

@@ -22,6 +22,11 @@ Box box_of_piece(const Boundary& boundary, std::span<const Index> piece) {
   return box;
 }
 
+// Sums beyond that are not computed: in large scenes with many pieces they would take more memory
+// than all else. In blocks of four half-planes.
+constexpr std::size_t half_planes_in_any_case = 1U << 16;
+constexpr std::size_t half_planes_a_vertex = 4;
+
 // The vertex that is furthest to the right of a direction. Another one is no error: then a
 // half-plane is smaller.
 Point furthest_right(const Boundary& boundary, std::span<const Index> piece, const Point& e) {
@@ -63,6 +68,8 @@ ConvexSums::ConvexSums(const Operands& operands, double slack)
     boxes_b_.push_back(box_of_piece(operands.b, pieces.piece(k)));
   }
   solids_.resize(std::max<std::size_t>(operands.a.solids.size(), 1));
+  most_half_planes_ =
+      std::max(half_planes_in_any_case, half_planes_a_vertex * operands.a.vertices.size());
 }
 
 // Error bound, with uE as in witness.cpp: p is off by 3 and x by 6, so that x - p is off by 10, and
@@ -105,7 +112,7 @@ void ConvexSums::find_half_planes(const Boundary& one, std::span<const Index> pi
 
 const ConvexSums::Span& ConvexSums::half_planes_of(Sums& sums, std::uint32_t lane) {
   Span& span = sums.half_planes[lane];
-  if (span.first == unknown) {
+  if (span.first == unknown && half_planes_.size() < most_half_planes_) {
     const auto& [a, b, directions, focus] = operands_;
     const std::span<const Index> piece_a = a.convex_pieces().piece(sums.piece_a[lane]);
     const std::span<const Index> piece_b = b.convex_pieces().piece(sums.piece_b[lane]);
@@ -195,7 +202,8 @@ bool ConvexSums::any_of(Index solid, Lanes lanes_of, Test test) {
     Sums& sums = sums_[k];
     for (unsigned lanes = lanes_of(sums.boxes) & sums.lanes; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      if (test(half_planes_of(sums, lane), sums.boxes.box(lane))) {
+      const Span& half_planes = half_planes_of(sums, lane);
+      if (half_planes.first != unknown && test(half_planes, sums.boxes.box(lane))) {
         return true;
       }
     }

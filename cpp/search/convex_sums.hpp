@@ -72,6 +72,7 @@ class ConvexSums {
   // Those of the edges of a piece, beside a piece of the other polygon.
   void find_half_planes(const Boundary& one, std::span<const Index> piece, const Boundary& other,
                         std::span<const Index> beside, double size);
+  // Unknown if there are too many.
   const Span& half_planes_of(Sums& sums, std::uint32_t lane);
 
   // Adds a sum after `count` others of the same solid.
@@ -98,6 +99,7 @@ class ConvexSums {
   std::vector<Span> solids_;  // the sums of each, once they are known
   std::vector<Sums> sums_;
   std::vector<HalfPlanes> half_planes_;
+  std::size_t most_half_planes_ = 0;
   std::vector<HalfPlane> found_;  // of one sum
 };
 

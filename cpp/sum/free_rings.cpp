@@ -2,13 +2,16 @@
 #include "free_rings.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cstddef>
+#include <functional>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "box.hpp"
+#include "box_tree.hpp"
 #include "cycle.hpp"
+#include "error.hpp"
 #include "exact_order.hpp"
 #include "overlapping_pairs.hpp"
 #include "ring_predicates.hpp"
@@ -29,13 +32,15 @@ class Cutter {
   // Appends the simple rings that the ring consists of.
   void cut(const Ring& ring, std::vector<Ring>& rings) {
     std::vector<Visit> open;
+    std::vector<std::size_t> last_place(ring.size());  // of each point in `open`, which may be over
     for (const Visit& visit : visits_of(ring)) {
-      const auto earlier = std::find_if(
-          open.begin(), open.end(), [&](const Visit& other) { return other.point == visit.point; });
-      if (earlier == open.end()) {
+      std::size_t& place = last_place[visit.point];
+      if (place >= open.size() || open[place].point != visit.point) {
+        place = open.size();
         open.push_back(visit);
         continue;
       }
+      const auto earlier = open.begin() + static_cast<std::ptrdiff_t>(place);
       // What has closed ends with the edge that arrives now. The rest leaves by the edge that
       // leaves now.
       std::vector<Visit> closed(earlier, open.end());
@@ -145,36 +150,132 @@ Ring turned_round(const Ring& ring) {
   return turned;
 }
 
-// 1 if the point lies inside the ring, 0 on it, -1 outside. Counts the edges above the point.
-// Points are compared in lexicographic order, so that no edge is upright.
-int locate(const Operands& operands, const ExactOrder& order, const Ring& ring,
-           const RingVertex& point, Tally& tally) {
-  bool is_inside = false;
-  int last = order.compare(ring.back(), point);
-  for (std::size_t k = 0; k < ring.size(); ++k) {
-    const RingVertex& from = ring[k == 0 ? ring.size() - 1 : k - 1];
-    const int before = last;
-    last = order.compare(ring[k], point);
-    if (last == 0) {
-      return 0;
+// Finds the polygons that rings lie in.
+class Holders {
+ public:
+  Holders(const Operands& operands, const ExactOrder& order,
+          const std::vector<FreePolygon>& polygons, Tally& tally)
+      : operands_(operands), order_(order), tally_(tally) {
+    std::vector<Box> boxes;
+    for (const FreePolygon& polygon : polygons) {
+      const auto number = static_cast<Index>(firsts_.size());
+      firsts_.push_back(edges_.size());
+      ExactOrder::Placed from = order.placed(polygon.outer.back());
+      for (const RingVertex& vertex : polygon.outer) {
+        const ExactOrder::Placed to = order.placed(vertex);
+        edges_.push_back({number, from, to});
+        boxes.push_back(ExactOrder::box_of_edge(from, to));
+        from = to;
+      }
     }
-    if (before * last > 0) {
-      continue;
+    firsts_.push_back(edges_.size());
+    tree_ = BoxTree(boxes);
+  }
+
+  // Of the polygons that it lies in, the innermost begins last.
+  std::size_t find(const Ring& ring) {
+    for (const RingVertex& vertex : ring) {
+      const std::optional<std::size_t> holder = innermost(vertex);
+      if (holder) {
+        return *holder;
+      }
+    }
+    return innermost_by_all(ring);
+  }
+
+ private:
+  struct Edge {
+    Index polygon;
+    ExactOrder::Placed from;
+    ExactOrder::Placed to;
+  };
+  enum class Place { beside, below, on };
+
+  // Of a point and an edge: is it below, between its ends? Points are compared in lexicographic
+  // order, so that no edge is upright.
+  Place place(const ExactOrder::Placed& point, const Edge& edge) {
+    const int before = order_.compare(edge.from, point);
+    const int behind = order_.compare(edge.to, point);
+    if (before == 0 || behind == 0) {
+      return behind == 0 ? Place::on : Place::beside;
+    }
+    if (before * behind > 0) {
+      return Place::beside;
     }
     // Turned rings have edges against their superset edges. The line is the same.
-    const PairEdge line = operands.named(from.leaving());
-    const int side = side_of_vertex(operands.a, operands.b,
-                                    coordinates(operands.a, operands.b, line), point, tally);
+    const PairEdge line = operands_.named(edge.from.vertex.leaving());
+    const int side =
+        side_of_vertex(operands_.a, operands_.b, coordinates(operands_.a, operands_.b, line),
+                       point.vertex, tally_);
     if (side == 0) {
-      return 0;
+      return Place::on;
     }
     // Does the line go to the right? Then a point on the right of it lies below.
-    const auto [p, q] = operands.source(line);
-    const bool is_below = (side < 0) == lexicographically_less(p, q);
-    is_inside = is_inside != is_below;
+    const auto [p, q] = operands_.source(line);
+    return (side < 0) == lexicographically_less(p, q) ? Place::below : Place::beside;
   }
-  return is_inside ? 1 : -1;
-}
+
+  // A point is inside where it is below an odd number of edges. Nothing if it lies on an edge.
+  std::optional<std::size_t> innermost(const RingVertex& vertex) {
+    const ExactOrder::Placed point = order_.placed(vertex);
+    Box above = ExactOrder::box_of_edge(point, point);
+    above.y1 = infinity;
+    below_.clear();
+    bool is_on = false;
+    tree_.for_each_near(above, [&](std::uint32_t k, const Box&) {
+      const Place found = place(point, edges_[k]);
+      is_on = is_on || found == Place::on;
+      if (found == Place::below) {
+        below_.push_back(edges_[k].polygon);
+      }
+    });
+    if (is_on) {
+      return std::nullopt;
+    }
+    std::sort(below_.begin(), below_.end(), std::greater<>());
+    for (auto first = below_.begin(); first != below_.end();) {
+      const auto last = std::upper_bound(first, below_.end(), *first, std::greater<>());
+      if ((last - first) % 2 != 0) {
+        return *first;
+      }
+      first = last;
+    }
+    throw Error(Status::internal, "an island that lies in no face");
+  }
+
+  // All vertices lie on edges. One that does not lie on edges of a polygon tells about that.
+  std::size_t innermost_by_all(const Ring& ring) {
+    for (std::size_t polygon = firsts_.size() - 1; polygon-- > 0;) {
+      bool holds = true;
+      for (const RingVertex& vertex : ring) {
+        const ExactOrder::Placed point = order_.placed(vertex);
+        bool is_on = false;
+        bool is_inside = false;
+        for (std::size_t k = firsts_[polygon]; k < firsts_[polygon + 1] && !is_on; ++k) {
+          const Place found = place(point, edges_[k]);
+          is_on = found == Place::on;
+          is_inside = is_inside != (found == Place::below);
+        }
+        if (!is_on) {
+          holds = is_inside;
+          break;
+        }
+      }
+      if (holds) {
+        return polygon;
+      }
+    }
+    throw Error(Status::internal, "an island that lies in no face");
+  }
+
+  const Operands& operands_;
+  const ExactOrder& order_;
+  Tally& tally_;
+  std::vector<Edge> edges_;  // polygon after polygon
+  std::vector<std::size_t> firsts_;
+  BoxTree tree_;
+  std::vector<Index> below_;
+};
 
 }  // namespace
 
@@ -207,19 +308,11 @@ std::vector<FreePolygon> free_polygons(const Operands& operands, std::vector<Rin
       holes.push_back(std::move(ring));
     }
   }
-  for (Ring& hole : holes) {
-    // Of the polygons that it lies in, the innermost begins last.
-    const auto holds = [&](const FreePolygon& polygon) {
-      for (const RingVertex& vertex : hole) {
-        if (const int where = locate(operands, order, polygon.outer, vertex, tally); where != 0) {
-          return where > 0;
-        }
-      }
-      return true;
-    };
-    const auto polygon = std::find_if(polygons.rbegin(), polygons.rend(), holds);
-    assert(polygon != polygons.rend());
-    polygon->holes.push_back(std::move(hole));
+  if (!holes.empty()) {
+    Holders holders(operands, order, polygons, tally);
+    for (Ring& hole : holes) {
+      polygons[holders.find(hole)].holes.push_back(std::move(hole));
+    }
   }
   return polygons;
 }
