@@ -282,7 +282,7 @@ double ConvexSums::next_reach(const RelativeLine& line, double t) {
     any_of(
         solid, [&](const auto& boxes) { return boxes.around(place); },
         [&](const Span& half_planes, const Box& box) {
-          const Range in_box = range_in<Range>(box, line);
+          const auto in_box = range_in<Range>(box, line);
           const Range range = in_box.to > furthest ? cut(line, half_planes, in_box) : Range{1, 0};
           if (range.from < t && range.to > furthest) {
             furthest = range.to;
