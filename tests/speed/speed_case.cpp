@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// One sum through the C interface, for guard.py to count the instructions of.
+// One sum through the C interface, or one scene, for guard.py to count the instructions of.
 //
 //   speed_case                     prints the names of the cases
 //   speed_case NAME REPETITIONS    runs one of them
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -180,24 +182,90 @@ void run(const Pair& pair, bool is_region) {
   gcv_polygon_destroy(a);
 }
 
+// Octagons and stars all over a square, added in no order.
+class Scene {
+ public:
+  Scene(Random& random, int members, double side) {
+    gcv_polygon* container = nullptr;
+    require(gcv_scene_create(&scene_));
+    const Polygon square{{0, 0}, {side, 0}, {side, side}, {0, side}};
+    require(gcv_polygon_create(square.front().data(), square.size(), 0, &container));
+    require(gcv_scene_set_container(scene_, container));
+    gcv_polygon_destroy(container);
+    for (int k = 0; k < members; ++k) {
+      const double x = uniform(random, 0, 1000) * side / 1000;
+      add(k % 2 == 0 ? octagon : parts().a, {x, uniform(random, 0, 1000) * side / 1000});
+    }
+    const Polygon moving = parts().b;
+    require(gcv_polygon_create(moving.front().data(), moving.size(), 0, &moving_));
+  }
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+  ~Scene() {
+    gcv_polygon_destroy(moving_);
+    gcv_scene_destroy(scene_);
+  }
+
+  void find_free_region() const {
+    gcv_region* region = nullptr;
+    require(gcv_scene_free_region(scene_, moving_, nullptr, nullptr, nullptr, &region));
+    gcv_region_destroy(region);
+  }
+  void find_best() const {
+    const double left[2] = {-1, 0};
+    double position[2];
+    std::int32_t is_found = 0;
+    require(gcv_scene_best(scene_, moving_, left, nullptr, nullptr, position, &is_found));
+  }
+
+ private:
+  void add(const Polygon& polygon, const std::array<double, 2>& position) {
+    gcv_polygon* member = nullptr;
+    std::uint64_t id = 0;
+    require(gcv_polygon_create(polygon.front().data(), polygon.size(), 0, &member));
+    const gcv_polygon* const added = member;
+    require(gcv_scene_add(scene_, &added, position.data(), 1, &id));
+    gcv_polygon_destroy(member);
+  }
+
+  gcv_scene* scene_ = nullptr;
+  gcv_polygon* moving_ = nullptr;
+};
+
+void free_region_of_scene() {
+  Random random(5);
+  Scene(random, 800, 2200).find_free_region();
+}
+void best_in_scene() {
+  Random random(6);
+  Scene(random, 300, 600).find_best();
+}
+
+const std::map<std::string, std::function<void()>> scene_cases{
+    {"scene_best", best_in_scene}, {"scene_free_region", free_region_of_scene}};
+
 }  // namespace
 }  // namespace gcv::hard
 
 int main(int argc, char** argv) {
+  using namespace gcv::hard;
   if (argc != 3) {
-    for (const auto* all : {&gcv::hard::cases, &gcv::hard::region_cases}) {
+    for (const auto* all : {&cases, &region_cases}) {
       for (const auto& [name, pair] : *all) {
         std::cout << name << '\n';
       }
     }
+    for (const auto& [name, scene] : scene_cases) {
+      std::cout << name << '\n';
+    }
     return 0;
   }
   const std::string name = argv[1];
-  const bool is_region = gcv::hard::region_cases.count(name) != 0;
-  const gcv::hard::Pair pair =
-      is_region ? gcv::hard::region_cases.at(name)() : gcv::hard::cases.at(name)();
+  const bool is_scene = scene_cases.count(name) != 0;
+  const bool is_region = region_cases.count(name) != 0;
+  const Pair pair = is_scene ? Pair{} : is_region ? region_cases.at(name)() : cases.at(name)();
   for (int repetitions = std::stoi(argv[2]); repetitions > 0; --repetitions) {
-    gcv::hard::run(pair, is_region);
+    is_scene ? scene_cases.at(name)() : run(pair, is_region);
   }
   return 0;
 }
