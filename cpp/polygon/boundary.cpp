@@ -323,13 +323,13 @@ Boundary joined(std::span<const PlacedBoundary> parts) {
   return all;
 }
 
-Boundary joined(const Boundary& outer, std::span<const Boundary> holes) {
+Boundary joined(const Boundary& outer, std::span<const Boundary* const> holes) {
   Boundary all = outer;
   all.mirror_ = nullptr;  // it has the outer ring alone
-  for (const Boundary& hole : holes) {
-    all.vertices.insert(all.vertices.end(), hole.vertices.begin(), hole.vertices.end());
-    all.corners.insert(all.corners.end(), hole.corners.begin(), hole.corners.end());
-    all.layout.add(hole.size());
+  for (const Boundary* const hole : holes) {
+    all.vertices.insert(all.vertices.end(), hole->vertices.begin(), hole->vertices.end());
+    all.corners.insert(all.corners.end(), hole->corners.begin(), hole->corners.end());
+    all.layout.add(hole->size());
   }
   all.is_convex = outer.is_convex && holes.empty();
   return all;

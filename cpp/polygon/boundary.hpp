@@ -156,14 +156,14 @@ struct Boundary {
   [[nodiscard]] Touches touches_of_solids() const;
   [[nodiscard]] BoxTree solid_boxes() const;
   friend Boundary joined(std::span<const PlacedBoundary> parts);
-  friend Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
+  friend Boundary joined(const Boundary& outer, std::span<const Boundary* const> holes);
 };
 
 // All of their solids as one boundary. At least one. Only the first can have an outside.
 Boundary joined(std::span<const PlacedBoundary> parts);
 
 // An outer ring and its holes as one.
-Boundary joined(const Boundary& outer, std::span<const Boundary> holes);
+Boundary joined(const Boundary& outer, std::span<const Boundary* const> holes);
 
 // The caller's numbers of the vertices of a boundary and of the edges behind them. These are the
 // numbers of the corners. Without corners, they count from `first`.

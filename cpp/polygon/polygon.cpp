@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "polygon.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <span>
 #include <utility>
 
 #include "area.hpp"
+#include "curve_order.hpp"
 #include "error.hpp"
 #include "ring_nesting.hpp"
 
@@ -58,6 +61,24 @@ Polygon polygon_of(std::size_t ring_count, const char* name, Make make) {
   return polygon;
 }
 
+// Those near each other in a row, whatever the caller's order: for the trees over their edges. A
+// few are quick in any order.
+std::vector<const Boundary*> in_order_of_curve(const Boundary& outer,
+                                               const std::vector<Boundary>& holes) {
+  constexpr std::size_t few = 64;
+  std::vector<const Boundary*> ordered;
+  ordered.reserve(holes.size());
+  std::transform(holes.begin(), holes.end(), std::back_inserter(ordered),
+                 [](const Boundary& hole) { return &hole; });
+  if (holes.size() > few) {
+    const CurveOrder order(outer.bounds);
+    std::stable_sort(ordered.begin(), ordered.end(), [&](const Boundary* p, const Boundary* q) {
+      return order.place(p->bounds) < order.place(q->bounds);
+    });
+  }
+  return ordered;
+}
+
 }  // namespace
 
 Polygon Polygon::reflected(std::shared_ptr<const Polygon> polygon) {
@@ -74,7 +95,7 @@ Polygon Polygon::reflected(std::shared_ptr<const Polygon> polygon) {
 }
 
 Boundary Polygon::all_rings() const {
-  return mirror_ == nullptr ? joined(outer, holes)
+  return mirror_ == nullptr ? joined(outer, in_order_of_curve(outer, holes))
                             : Boundary::reflected({mirror_, &mirror_->boundary()});
 }
 

@@ -165,11 +165,10 @@ TEST(CoveredCells, LieInTheOpenSum) {
 
 // The solid is outside of the ring, and in what was a hole.
 TEST(CoveredCells, LieInTheOpenSumOfAComplement) {
-  const Boundary container =
-      joined(make_ring({{0, 0}, {100, 0}, {100, 100}, {0, 100}}, "container"),
-             std::array{
-                 make_ring({{40, 40}, {60, 40}, {60, 60}, {40, 60}}, "hole", Boundary::Kind::hole)})
-          .complement();
+  const Boundary outer = make_ring({{0, 0}, {100, 0}, {100, 100}, {0, 100}}, "container");
+  const Boundary hole =
+      make_ring({{40, 40}, {60, 40}, {60, 60}, {40, 60}}, "hole", Boundary::Kind::hole);
+  const Boundary container = joined(outer, std::array{&hole}).complement();
   Ring ring;  // enough vertices for a grid
   for (int k = 0; k < 40; ++k) {
     const double low = k % 2 == 0 ? 0 : 0.25;

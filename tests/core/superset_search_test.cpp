@@ -98,7 +98,11 @@ void expect_all_found(double most_visits, Prepare prepare) {
         }
         holes.push_back(make_ring(ring, "hole", gcv::Boundary::Kind::hole));
       }
-      return joined(outer, holes);
+      std::vector<const Boundary*> all;
+      for (const Boundary& hole : holes) {
+        all.push_back(&hole);
+      }
+      return joined(outer, all);
     };
     Tally tally;
     const gcv::Boundary a = polygon(4 + k % 24);
