@@ -162,6 +162,27 @@ TEST(Region, RefusesPositionsThatNoDoubleHolds) {
   EXPECT_THROW(static_cast<void>(test::fit_region(right, left)), Error);
 }
 
+// Many holes are put in an order of their own. It does not show.
+TEST(Region, DoesNotDependOnTheOrderOfHoles) {
+  PolygonRings plate{{{0, 0}, {100, 0}, {100, 100}, {0, 100}}};
+  for (int k = 0; k < 100; ++k) {
+    const double x = 10.0 * (k % 10) + 2;
+    const double y = 10.0 * (k / 10) + 2;
+    const double size = 3 + k % 4;
+    plate.push_back({{x, y}, {x, y + size}, {x + size, y + size}, {x + size, y}});
+  }
+  const PolygonRings peg{{{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 4}, {0, 4}}};
+  const Region ordered = test::sum_region(plate, peg, {0, 0}, {});
+  test::Random random(8);
+  std::shuffle(plate.begin() + 1, plate.end(), random);
+  const Region shuffled = test::sum_region(plate, peg, {0, 0}, {});
+  EXPECT_GT(ordered.exact.parts.size(), 50U);
+  ASSERT_EQ(ordered.rounded.parts.size(), shuffled.rounded.parts.size());
+  ASSERT_EQ(ordered.rounded.vertices.size(), shuffled.rounded.vertices.size());
+  EXPECT_TRUE(std::equal(ordered.rounded.vertices.begin(), ordered.rounded.vertices.end(),
+                         shuffled.rounded.vertices.begin()));
+}
+
 TEST(Region, CutsRingsThatTouchThemselves) {
   const PolygonRings container{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
                                {{3, 3}, {5, 3}, {5, 5}, {3, 5}},
