@@ -17,9 +17,6 @@ namespace gcv::bench {
 
 namespace {
 
-constexpr double limit = 20;  // seconds for one system on one pair
-constexpr double turns_seconds = 0.05;
-
 // Of libgcv's region, and of its free points that CGAL's do_intersect does not find free.
 struct Truth {
   std::size_t holes = 0;
@@ -55,7 +52,7 @@ Judged judge(const WholeSystem& system, const Ring& a, const Ring& b) {
     judged.denied += overlap_at(a, b, x) ? 0 : 1;
   }
   const Turns turns({[&] { libgcv_region(a, b); }, [&] { static_cast<void>(system.sum(a, b)); }},
-                    turns_seconds);
+                    answer_turns);
   judged.ratio = turns.ratio(1, 0);
   return judged;
 }
@@ -115,10 +112,10 @@ class Answers {
       const Rings rings = pair.make();
       const Ring a = tidy(rings.first);
       const Ring b = tidy(rings.second);
-      if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > most_vertex_pairs) {
+      if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > most_pairs_of_vertices) {
         continue;
       }
-      const Outcome outcome = run_apart(limit, [&] { return to_bytes(truth_of(a, b)); });
+      const Outcome outcome = run_apart(answer_limit, [&] { return to_bytes(truth_of(a, b)); });
       if (!outcome.failure.empty()) {
         std::printf("libgcv, %s: %s\n", pair.name.c_str(), outcome.failure.c_str());
         continue;
@@ -152,12 +149,10 @@ class Answers {
   }
 
  private:
-  static constexpr double most_vertex_pairs = 12000;  // unions of n m quadrangles are slow
-
-  void run(std::size_t system, const std::string& name, const Ring& a, const Ring& b,
-           const Truth& truth, Tally& tally) {
+  static void run(std::size_t system, const std::string& name, const Ring& a, const Ring& b,
+                  const Truth& truth, Tally& tally) {
     const WholeSystem& chosen = systems_[system];
-    const Outcome outcome = run_apart(limit, [&] { return to_bytes(judge(chosen, a, b)); });
+    const Outcome outcome = run_apart(answer_limit, [&] { return to_bytes(judge(chosen, a, b)); });
     for (Tally* const each : {&tally, &all_[system]}) {
       ++each->pairs;
       if (outcome.failure.empty()) {

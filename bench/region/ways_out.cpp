@@ -22,10 +22,7 @@ namespace gcv::bench {
 
 namespace {
 
-constexpr double limit = 20;  // seconds for one system on one pair
-constexpr double turns_seconds = 0.05;
 constexpr std::size_t places_a_pair = 20;
-constexpr double most_vertex_pairs = 12000;  // unions of n m quadrangles are slow
 
 // Of the ways out that a system gives.
 struct Judged {
@@ -121,7 +118,7 @@ Judged judge(const WholeSystem& system, const Question& question) {
                        check(gcv_penetration(p.get(), q.get(), &place().x, 1, nullptr, &escape));
                      },
                      [&] { sink += nearest_free(system, question, place()).distance; }},
-                    turns_seconds);
+                    answer_turns);
   judged.ratio = sink >= 0 ? turns.ratio(1, 0) : 0;
   return judged;
 }
@@ -161,7 +158,7 @@ void print(const std::vector<Row>& rows) {
 }
 
 void add_to(Row& row, const std::string& pair, const std::function<Judged()>& judged) {
-  const Outcome outcome = run_apart(limit, [&] { return to_bytes(judged()); });
+  const Outcome outcome = run_apart(answer_limit, [&] { return to_bytes(judged()); });
   ++row.pairs;
   if (outcome.failure.empty()) {
     const auto found = from_bytes<Judged>(outcome.bytes);
@@ -186,7 +183,7 @@ void print_ways_out(bool quick) {
       const Rings rings = pair.make();
       const Ring a = tidy(rings.first);
       const Ring b = tidy(test::negated(rings.second));
-      if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > most_vertex_pairs) {
+      if (static_cast<double>(a.size()) * static_cast<double>(b.size()) > most_pairs_of_vertices) {
         continue;
       }
       add_to(rows[0], pair.name, [&] { return judge_ourselves(Question(a, b)); });

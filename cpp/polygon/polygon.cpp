@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "polygon.hpp"
 
-#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
-#include <iterator>
 #include <span>
 #include <utility>
 
@@ -63,20 +62,22 @@ Polygon polygon_of(std::size_t ring_count, const char* name, Make make) {
 
 // Those near each other in a row, whatever the caller's order: for the trees over their edges. A
 // few are quick in any order.
-std::vector<const Boundary*> in_order_of_curve(const Boundary& outer,
-                                               const std::vector<Boundary>& holes) {
+Boundary joined_in_order(const Boundary& outer, const std::vector<Boundary>& holes) {
   constexpr std::size_t few = 64;
-  std::vector<const Boundary*> ordered;
-  ordered.reserve(holes.size());
-  std::transform(holes.begin(), holes.end(), std::back_inserter(ordered),
-                 [](const Boundary& hole) { return &hole; });
+  std::vector<const Boundary*> all;
+  all.reserve(holes.size());
   if (holes.size() > few) {
-    const CurveOrder order(outer.bounds);
-    std::stable_sort(ordered.begin(), ordered.end(), [&](const Boundary* p, const Boundary* q) {
-      return order.place(p->bounds) < order.place(q->bounds);
-    });
+    for (const std::uint32_t k :
+         order_on_curve(static_cast<std::uint32_t>(holes.size()),
+                        [&](std::uint32_t hole) { return holes[hole].bounds; })) {
+      all.push_back(&holes[k]);
+    }
+  } else {
+    for (const Boundary& hole : holes) {
+      all.push_back(&hole);
+    }
   }
-  return ordered;
+  return joined(outer, all);
 }
 
 }  // namespace
@@ -95,7 +96,7 @@ Polygon Polygon::reflected(std::shared_ptr<const Polygon> polygon) {
 }
 
 Boundary Polygon::all_rings() const {
-  return mirror_ == nullptr ? joined(outer, in_order_of_curve(outer, holes))
+  return mirror_ == nullptr ? joined_in_order(outer, holes)
                             : Boundary::reflected({mirror_, &mirror_->boundary()});
 }
 

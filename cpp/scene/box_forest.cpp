@@ -2,7 +2,6 @@
 #include "box_forest.hpp"
 
 #include <algorithm>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cassert>
 #include <utility>
 
@@ -46,22 +45,12 @@ BoxForest::Tree BoxForest::build(std::span<const Change> boxes) {
     return tree;
   }
   const auto count = static_cast<std::uint32_t>(boxes.size());
-  // The place on the curve, then the number of the box: no two keys are equal.
-  std::vector<std::uint64_t> keys(count);
-  Box bounds = empty_box;
-  for (const Change& change : boxes) {
-    bounds = hull_of(bounds, change.box);
-  }
-  const CurveOrder order(bounds);
-  for (std::uint32_t k = 0; k < count; ++k) {
-    keys[k] = std::uint64_t{order.place(boxes[k].box)} << 32U | k;
-  }
-  boost::sort::spreadsort::integer_sort(keys.begin(), keys.end());
-  const auto number = [&](std::uint32_t leaf) { return static_cast<std::uint32_t>(keys[leaf]); };
-  tree.boxes = build_tree(count, [&](std::uint32_t leaf) { return boxes[number(leaf)].box; });
+  const std::vector<std::uint32_t> order =
+      order_on_curve(count, [&](std::uint32_t k) { return boxes[k].box; });
+  tree.boxes = build_tree(count, [&](std::uint32_t leaf) { return boxes[order[leaf]].box; });
   tree.slots.resize(count);
   for (std::uint32_t leaf = 0; leaf < count; ++leaf) {
-    tree.slots[leaf] = boxes[number(leaf)].slot;
+    tree.slots[leaf] = boxes[order[leaf]].slot;
   }
   tree.live = count;
   for (std::uint32_t leaf = 0; leaf < count; leaf += ChainTree::width) {

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <tuple>
 #include <utility>
 
 #include "curve_order.hpp"
@@ -124,29 +123,21 @@ std::optional<Solid> container_of(const Scene& scene, const Query& query) {
 // The members whose boxes meet a box: neighbours in a row, whatever the order of their ids, for the
 // trees over their edges.
 std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, const Box& box) {
-  struct Near {
-    std::uint32_t slot;
-    Box box;
-    std::uint32_t place;
-  };
-  std::vector<Near> all;
-  Box bounds = empty_box;
+  std::vector<std::uint32_t> slots;
   any_near(scene, query, box, [&](std::uint32_t slot) {
-    const Solid solid = scene.solid(slot);
-    all.push_back({slot, moved_outwards(solid.boundary.bounds, solid.position), 0});
-    bounds = hull_of(bounds, all.back().box);
+    slots.push_back(slot);
     return false;
   });
-  const CurveOrder order(bounds);
-  for (Near& near : all) {
-    near.place = order.place(near.box);
+  std::sort(slots.begin(), slots.end());
+  std::vector<std::uint32_t> order =
+      order_on_curve(static_cast<std::uint32_t>(slots.size()), [&](std::uint32_t k) {
+        const Solid solid = scene.solid(slots[k]);
+        return moved_outwards(solid.boundary.bounds, solid.position);
+      });
+  for (std::uint32_t& k : order) {
+    k = slots[k];
   }
-  std::sort(all.begin(), all.end(), [](const Near& p, const Near& q) {
-    return std::tie(p.place, p.slot) < std::tie(q.place, q.slot);
-  });
-  std::vector<std::uint32_t> slots(all.size());
-  std::transform(all.begin(), all.end(), slots.begin(), [](const Near& near) { return near.slot; });
-  return slots;
+  return order;
 }
 
 }  // namespace

@@ -60,14 +60,14 @@ Range range_in(const Box& box, const RelativeLine& line) {
 
 ConvexSums::ConvexSums(const Operands& operands, double slack)
     : operands_(operands), slack_(slack) {
-  if (operands.a.positions.empty() || !(slack < infinity)) {
+  if (operands.a.positions.empty() || operands.a.solids.empty() || !(slack < infinity)) {
     return;
   }
   const ConvexPieces& pieces = operands.b.convex_pieces();
   for (std::size_t k = 0; k < pieces.count(); ++k) {
     boxes_b_.push_back(box_of_piece(operands.b, pieces.piece(k)));
   }
-  solids_.resize(std::max<std::size_t>(operands.a.solids.size(), 1));
+  solids_.resize(operands.a.solids.size());
   most_half_planes_ =
       std::max(half_planes_in_any_case, half_planes_a_vertex * operands.a.vertices.size());
 }
@@ -143,8 +143,8 @@ void ConvexSums::add_sum(std::uint32_t count, const Box& box, std::uint32_t piec
 void ConvexSums::add_sums_of_pieces(Index solid) {
   const Boundary& a = operands_.a;
   const ConvexPieces& pieces = a.convex_pieces();
-  const Index first = a.solids.empty() ? 0 : a.layout.begin(a.solids[solid]);
-  const Index end = a.layout.end(a.solids.empty() ? 0 : a.solid_end(solid) - 1);
+  const Index first = a.layout.begin(a.solids[solid]);
+  const Index end = a.layout.end(a.solid_end(solid) - 1);
   const auto from = std::partition_point(
       pieces.ends.begin(), pieces.ends.end(),
       [&](std::size_t piece_end) { return pieces.vertices[piece_end - 1] < first; });
@@ -161,10 +161,7 @@ void ConvexSums::add_sums_of_pieces(Index solid) {
 // The half-planes beyond the sides of the bounding box, and all of B.
 void ConvexSums::add_what_is_beyond() {
   const Boundary& a = operands_.a;
-  Box hole = empty_box;
-  for (Index i = 0; i < a.layout.end(0); ++i) {
-    hole = hull_of(hole, box_of(a.relative(i), a.relative(i)));
-  }
+  const Box hole = box_of(std::span<const Point>(a.relatives).first(a.layout.end(0)));
   const Box b = operands_.b.relative_bounds();
   const Point low{hole.x0 + b.x1, hole.y0 + b.y1};
   const Point high{hole.x1 + b.x0, hole.y1 + b.y0};
@@ -232,17 +229,13 @@ bool ConvexSums::hold(const Box& box) {
   if (is_empty()) {
     return false;
   }
-  const auto is_held_by = [&](Index solid) {
-    return any_of(
-        solid, [&](const auto& boxes) { return boxes.around(box); },
-        [&](const Span& half_planes, const Box&) { return hold(box, half_planes); });
-  };
   const Box b = operands_.b.relative_bounds();
-  return operands_.a.solids.empty()
-             ? is_held_by(0)
-             : operands_.a.cover_index().solids.any_around(
-                   {box.x0 - b.x0, box.y0 - b.y0, box.x1 - b.x1, box.y1 - b.y1},
-                   [&](Index solid, const Box&) { return is_held_by(solid); });
+  return operands_.a.cover_index().solids.any_around(
+      {box.x0 - b.x0, box.y0 - b.y0, box.x1 - b.x1, box.y1 - b.y1}, [&](Index solid, const Box&) {
+        return any_of(
+            solid, [&](const auto& boxes) { return boxes.around(box); },
+            [&](const Span& half_planes, const Box&) { return hold(box, half_planes); });
+      });
 }
 
 ConvexSums::Range ConvexSums::cut(const RelativeLine& line, const Span& half_planes,
@@ -278,26 +271,21 @@ double ConvexSums::next_reach(const RelativeLine& line, double t) {
   const Point at = line.at(t);
   const Box place = box_of(at, at);
   double furthest = t;
-  const auto look = [&](Index solid) {
-    any_of(
-        solid, [&](const auto& boxes) { return boxes.around(place); },
-        [&](const Span& half_planes, const Box& box) {
-          const auto in_box = range_in<Range>(box, line);
-          const Range range = in_box.to > furthest ? cut(line, half_planes, in_box) : Range{1, 0};
-          if (range.from < t && range.to > furthest) {
-            furthest = range.to;
-          }
-          return false;
-        });
-  };
-  if (operands_.a.solids.empty()) {
-    look(0);
-  } else {
-    const Box b = operands_.b.relative_bounds();
-    operands_.a.cover_index().solids.for_each_near(
-        {at.x - b.x1, at.y - b.y1, at.x - b.x0, at.y - b.y0},
-        [&](Index solid, const Box&) { look(solid); });
-  }
+  const Box b = operands_.b.relative_bounds();
+  operands_.a.cover_index().solids.for_each_near(
+      {at.x - b.x1, at.y - b.y1, at.x - b.x0, at.y - b.y0}, [&](Index solid, const Box&) {
+        any_of(
+            solid, [&](const auto& boxes) { return boxes.around(place); },
+            [&](const Span& half_planes, const Box& box) {
+              const auto in_box = range_in<Range>(box, line);
+              const Range range =
+                  in_box.to > furthest ? cut(line, half_planes, in_box) : Range{1, 0};
+              if (range.from < t && range.to > furthest) {
+                furthest = range.to;
+              }
+              return false;
+            });
+      });
   return std::min(furthest, 1.0);
 }
 

@@ -243,10 +243,12 @@ class Holders {
     throw Error(Status::internal, "an island that lies in no face");
   }
 
-  // All vertices lie on edges. One that does not lie on edges of a polygon tells about that.
+  // All vertices lie on edges. Those of the holder go through one vertex at most, since its inside
+  // is connected. Those of a polygon in the island go through none of its convex hull, where what
+  // is blocked is a single sector. So each polygon leaves a vertex that tells whether it holds.
   std::size_t innermost_by_all(const Ring& ring) {
     for (std::size_t polygon = firsts_.size() - 1; polygon-- > 0;) {
-      bool holds = true;
+      bool holds = false;
       for (const RingVertex& vertex : ring) {
         const ExactOrder::Placed point = order_.placed(vertex);
         bool is_on = false;

@@ -150,8 +150,6 @@ TEST(Region, OfTheLargestNumbers) {
   EXPECT_EQ(rings_of(test::sum_region(fixed, moving, {9, 12}).exact.parts).size(), 1U);
 }
 
-// Two islands of a container that touch each other's surroundings: rings are cut where the walk
-// comes to a point again.
 // The free positions of a part far below, in a container far above, and the same sideways.
 TEST(Region, RefusesPositionsThatNoDoubleHolds) {
   const PolygonRings high{{{0, 1.5e308}, {3, 1.5e308}, {3, 1.7e308}, {0, 1.7e308}}};
@@ -183,6 +181,8 @@ TEST(Region, DoesNotDependOnTheOrderOfHoles) {
                          shuffled.rounded.vertices.begin()));
 }
 
+// Two islands of a container that touch each other's surroundings: rings are cut where the walk
+// comes to a point again.
 TEST(Region, CutsRingsThatTouchThemselves) {
   const PolygonRings container{{{0, 0}, {10, 0}, {10, 10}, {0, 10}},
                                {{3, 3}, {5, 3}, {5, 5}, {3, 5}},
@@ -192,6 +192,31 @@ TEST(Region, CutsRingsThatTouchThemselves) {
             "outer 0: 0/1 0/1, 9/1 0/1, 9/1 9/1, 0/1 9/1\n"
             "hole 0: 2/1 2/1, 2/1 5/1, 5/1 5/1, 5/1 2/1\n"
             "hole 0: 5/1 5/1, 5/1 8/1, 8/1 8/1, 8/1 5/1\n");
+}
+
+// Round the large island three triples of small ones, each round a face that ends in a vertex of
+// the large one: all vertices of an island are on rings of faces that do not hold it.
+TEST(Region, FindsTheFaceOfAnIslandWhoseVerticesAreOnOtherFaces) {
+  PolygonRings container{{{-20, -20}, {30, -20}, {30, 30}, {-20, 30}}};
+  const auto add = [&](double x, double y, double size) {
+    container.push_back({{x, y}, {x + size, y}, {x, y + size}});
+  };
+  add(0, 0, 9);
+  for (const auto& [x, y] :
+       {Point{10, 0}, Point{10, -2}, Point{12, -2}, Point{0, 10}, Point{-2, 10}, Point{-2, 12},
+        Point{-2, 0}, Point{0, -2}, Point{-2, -2}}) {
+    add(x, y, 1);
+  }
+  const PolygonRings part{{{0, 0}, {-1, 0}, {0, -1}}};
+  EXPECT_EQ(test::text_of(test::fit_region(container, part).exact),
+            "outer 0: -19/1 -19/1, 30/1 -19/1, 30/1 30/1, -19/1 30/1\n"
+            "hole 0: -2/1 -2/1, -2/1 2/1, 2/1 -2/1\n"
+            "hole 0: -2/1 10/1, -2/1 14/1, 2/1 10/1\n"
+            "hole 0: 0/1 0/1, 0/1 10/1, 10/1 0/1\n"
+            "hole 0: 10/1 -2/1, 10/1 2/1, 14/1 -2/1\n"
+            "outer 1: -2/1 0/1, 0/1 -2/1, 0/1 0/1\n"
+            "outer 2: -2/1 12/1, 0/1 10/1, 0/1 12/1\n"
+            "outer 3: 10/1 0/1, 12/1 -2/1, 12/1 0/1\n");
 }
 
 }  // namespace
