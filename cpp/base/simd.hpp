@@ -86,6 +86,9 @@ struct SimdDouble {
   friend SimdDouble operator*(const SimdDouble& p, const SimdDouble& q) {
     return {p.low * q.low, p.high * q.high};
   }
+  friend SimdDouble operator/(const SimdDouble& p, const SimdDouble& q) {
+    return {p.low / q.low, p.high / q.high};
+  }
   friend SimdDouble operator*(double x, const SimdDouble& q) { return {x * q.low, x * q.high}; }
   friend DoubleMask operator<(const SimdDouble& p, const SimdDouble& q) {
     return {less(p.low, q.low), less(p.high, q.high)};

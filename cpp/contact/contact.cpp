@@ -7,44 +7,6 @@
 
 namespace gcv {
 
-namespace {
-
-Contact between_vertices(const PlacedPair& placed, const ContactName& name, Tally& tally) {
-  const SumPoint p = placed.a.vertex(name.i);
-  const SumPoint q = placed.b.vertex(name.j);
-  Contact contact;
-  contact.on_a = nearest_point(p, tally);
-  contact.on_b = contact.on_a;
-  if (!are_equal(p, q, tally)) {
-    contact.gap = nearest_gap(gap_of(placed, name, tally), tally);
-    contact.normal = nearest_unit_vector(p, q, tally);
-    contact.on_b = nearest_point(q, tally);
-  }
-  return contact;
-}
-
-Contact between_edge_and_vertex(const PlacedPair& placed, const ContactName& name, Tally& tally) {
-  const EdgeAndVertex pair = edge_and_vertex(placed, name);
-  const Nearest nearest = nearest_on(pair, tally);
-  const Gap gap = gap_between(pair, nearest);
-  const Point vertex = nearest_point(pair.vertex, tally);
-  Contact contact;
-  Point on_edge = vertex;
-  if (!is_zero(gap, tally)) {
-    contact.gap = nearest_gap(gap, tally);
-    on_edge = nearest == Nearest::inside
-                  ? nearest_crossing(pair.edge, perpendicular(pair.edge, pair.vertex), tally)
-                  : nearest_point(nearest == Nearest::start ? pair.edge.origin : pair.end(), tally);
-  }
-  const bool is_edge_of_a = name.kind == ContactKind::edge_vertex;
-  contact.normal = normal_of(placed, name, tally);
-  contact.on_a = is_edge_of_a ? on_edge : vertex;
-  contact.on_b = is_edge_of_a ? vertex : on_edge;
-  return contact;
-}
-
-}  // namespace
-
 std::tuple<ContactKind, Index, Index> order_of(const PlacedPair& placed, const ContactName& name) {
   const Boundary::Corner& a = placed.a.boundary.corners[name.i];
   const Boundary::Corner& b = placed.b.boundary.corners[name.j];
@@ -94,11 +56,40 @@ Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally)
   return name.kind == ContactKind::edge_vertex ? normal : Point{0.0 - normal.x, 0.0 - normal.y};
 }
 
-Contact contact_of(const PlacedPair& placed, const ContactName& name, Tally& tally) {
-  Contact contact = name.kind == ContactKind::vertex_vertex
-                        ? between_vertices(placed, name, tally)
-                        : between_edge_and_vertex(placed, name, tally);
+Contact contact_of(const PlacedPair& placed, const ContactName& name, const Gap& gap,
+                   Tally& tally) {
+  if (!is_zero(gap, tally)) {
+    return contact_across(placed, name, gap, tally);
+  }
+  Contact contact;
   std::tie(contact.kind, contact.a, contact.b) = order_of(placed, name);
+  contact.on_a = nearest_point(gap.point, tally);
+  contact.on_b = contact.on_a;
+  if (name.kind != ContactKind::vertex_vertex) {
+    contact.normal = normal_of(placed, name, tally);
+  }
+  return contact;
+}
+
+Contact contact_across(const PlacedPair& placed, const ContactName& name, const Gap& gap,
+                       Tally& tally) {
+  Contact contact;
+  std::tie(contact.kind, contact.a, contact.b) = order_of(placed, name);
+  contact.gap = nearest_gap(gap, tally);
+  if (name.kind == ContactKind::vertex_vertex) {
+    const SumPoint p = placed.a.vertex(name.i);
+    const SumPoint q = placed.b.vertex(name.j);
+    contact.normal = nearest_unit_vector(p, q, tally);
+    contact.on_a = nearest_point(p, tally);
+    contact.on_b = nearest_point(q, tally);
+    return contact;
+  }
+  contact.normal = normal_of(placed, name, tally);
+  const bool is_edge_of_a = name.kind == ContactKind::edge_vertex;
+  (is_edge_of_a ? contact.on_a : contact.on_b) =
+      gap.is_to_line ? nearest_crossing(gap.edge, perpendicular(gap.edge, gap.point), tally)
+                     : nearest_point(gap.edge.origin, tally);
+  (is_edge_of_a ? contact.on_b : contact.on_a) = nearest_point(gap.point, tally);
   return contact;
 }
 

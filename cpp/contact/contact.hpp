@@ -67,7 +67,10 @@ Point outward_normal(const SumEdge& edge, Tally& tally);
 // The normal of the edge of a contact, from A to B. Not for two vertices.
 Point normal_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
 
-// The contact with its points, its normal and its gap.
-Contact contact_of(const PlacedPair& placed, const ContactName& name, Tally& tally);
+// The contact with its points and its normal. The gap must be its own.
+Contact contact_of(const PlacedPair& placed, const ContactName& name, const Gap& gap, Tally& tally);
+// The same, where the gap is not zero.
+Contact contact_across(const PlacedPair& placed, const ContactName& name, const Gap& gap,
+                       Tally& tally);
 
 }  // namespace gcv

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "relative_pair.hpp"
 
@@ -17,7 +18,7 @@ namespace {
 // other. In doubles.
 class NearestPairs {
  public:
-  explicit NearestPairs(const PlacedPair& placed) : relative_(placed) {
+  explicit NearestPairs(const PlacedPair& placed) : placed_(placed), relative_(placed) {
     PairDescent(placed, *this).run();
   }
 
@@ -30,11 +31,16 @@ class NearestPairs {
   }
 
   // The start of each of the edges and the other edge.
-  bool meet(Index i, Index j) {
-    const RelativePair::Ends p = relative_.edge_of_a(i);
-    const RelativePair::Ends q = relative_.edge_of_b(j);
-    add({ContactKind::edge_vertex, i, j}, RelativePair::square_of_distance(p, q.from));
-    add({ContactKind::vertex_edge, i, j}, RelativePair::square_of_distance(q, p.from));
+  bool meet_edges_of_a(Index block, Index j) {
+    const Index first = ChainTree::width * block;
+    add(relative_.edges_of_a(block), FourEnds::of(relative_.edge_of_b(j)), placed_.a, first,
+        [&](Index lane) { return std::pair(first + lane, j); });
+    return false;
+  }
+  bool meet_edges_of_b(Index i, Index block) {
+    const Index first = ChainTree::width * block;
+    add(FourEnds::of(relative_.edge_of_a(i)), relative_.edges_of_b(block), placed_.b, first,
+        [&](Index lane) { return std::pair(i, first + lane); });
     return false;
   }
 
@@ -53,6 +59,25 @@ class NearestPairs {
     double square;  // of the distance
     ContactName name;
   };
+  using FourEnds = RelativePair::FourEnds;
+
+  // Four edges of A and four of B, of which those of one polygon are the same or begin there.
+  template <class PairOf>
+  void add(const FourEnds& p, const FourEnds& q, const PlacedPolygon& polygon, Index first,
+           PairOf pair_of) {
+    const Index count = std::min(polygon.boundary.layout.size() - first, ChainTree::width);
+    const auto add_all = [&](ContactKind kind, const SimdDouble& squares) {
+      double each[ChainTree::width];
+      squares.store(each);
+      const unsigned far = (squares > limit_).bits();
+      for_each_lane(~far & ((1U << count) - 1), [&](Index lane) {
+        const auto [i, j] = pair_of(lane);
+        add({kind, i, j}, each[lane]);
+      });
+    };
+    add_all(ContactKind::edge_vertex, RelativePair::squares_of_distances(p, q.from_x, q.from_y));
+    add_all(ContactKind::vertex_edge, RelativePair::squares_of_distances(q, p.from_x, p.from_y));
+  }
   void add(const ContactName& name, double square) {
     if (square > limit_) {
       return;
@@ -64,6 +89,7 @@ class NearestPairs {
     }
   }
 
+  const PlacedPair& placed_;
   const RelativePair relative_;
   double least_ = infinity;
   double limit_ = infinity;
@@ -71,7 +97,7 @@ class NearestPairs {
 };
 
 // The features that are nearest to each other in such a pair.
-ContactName nearest_features(const PlacedPair& placed, const ContactName& name, Nearest nearest) {
+ContactName features(const PlacedPair& placed, const ContactName& name, Nearest nearest) {
   const bool is_end = nearest == Nearest::end;
   if (nearest == Nearest::inside) {
     return name;
@@ -84,21 +110,19 @@ ContactName nearest_features(const PlacedPair& placed, const ContactName& name, 
 
 }  // namespace
 
-ContactName nearest_features(const PlacedPair& placed, Tally& tally) {
-  std::optional<ContactName> best;
-  Gap gap{};
+NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally) {
+  std::optional<NearestFeatures> best;
   NearestPairs(placed).for_each([&](const ContactName& candidate) {
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
     const Nearest nearest = nearest_on(pair, tally);
-    const ContactName name = nearest_features(placed, candidate, nearest);
-    if (best == name) {
+    const ContactName name = features(placed, candidate, nearest);
+    if (best && best->name == name) {
       return;
     }
-    const Gap other = gap_between(pair, nearest);
-    const int order = best ? compare_gaps(other, gap, tally) : -1;
-    if (order < 0 || (order == 0 && order_of(placed, name) < order_of(placed, *best))) {
-      best = name;
-      gap = other;
+    const Gap gap = gap_between(pair, nearest);
+    const int order = best ? compare_gaps(gap, best->gap, tally) : -1;
+    if (order < 0 || (order == 0 && order_of(placed, name) < order_of(placed, best->name))) {
+      best = {name, gap};
     }
   });
   assert(best);
@@ -110,7 +134,8 @@ Separation distance(const PlacedPair& placed, Tally& tally) {
   if (relation != Relation::apart) {
     return {relation, 0, {}};
   }
-  const Contact nearest = contact_of(placed, nearest_features(placed, tally), tally);
+  const NearestFeatures features = nearest_features(placed, tally);
+  const Contact nearest = contact_across(placed, features.name, features.gap, tally);
   return {relation, nearest.gap, nearest};
 }
 
@@ -120,8 +145,7 @@ std::optional<Relation> relation_within(const PlacedPair& placed, double distanc
     return relation;
   }
   const bool is_within =
-      distance > 0 &&
-      compare_gap(gap_of(placed, nearest_features(placed, tally), tally), distance, tally) <= 0;
+      distance > 0 && compare_gap(nearest_features(placed, tally).gap, distance, tally) <= 0;
   return is_within ? std::optional(relation) : std::nullopt;
 }
 

@@ -21,7 +21,11 @@ Separation distance(const PlacedPair& placed, Tally& tally);
 
 // The features of two polygons that are apart which are nearest to each other; of several, the
 // first in the order of contacts.
-ContactName nearest_features(const PlacedPair& placed, Tally& tally);
+struct NearestFeatures {
+  ContactName name;
+  Gap gap;
+};
+NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally);
 
 // The relation, if they are no further than a distance from each other.
 std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally);

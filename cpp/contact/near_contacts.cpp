@@ -91,10 +91,11 @@ class NearContacts {
   }
 
   void add(const ContactName& name) {
-    if (compare_gap(gap_of(placed_, name, tally_), distance_, tally_) > 0) {
+    const Gap gap = gap_of(placed_, name, tally_);
+    if (compare_gap(gap, distance_, tally_) > 0) {
       return;
     }
-    Contact contact = contact_of(placed_, name, tally_);
+    Contact contact = contact_of(placed_, name, gap, tally_);
     if (name.kind != ContactKind::vertex_vertex) {
       const EdgeAndVertex pair = edge_and_vertex(placed_, name);
       if (side(pair.edge, pair.vertex, tally_) > 0) {

@@ -42,6 +42,13 @@ bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit
 //     beside a node of the other polygon with that box, seen from the first vertex of the polygon
 //     of the block. Returns true as soon as a visit does.
 //   meet(i, j): a pair of edges. Ends the search by returning true.
+// In place of meet() it may have these, for an edge and all edges of a block of the other tree:
+//   meet_edges_of_a(block, j), meet_edges_of_b(i, block): blocks are the numbers of those above.
+template <class Search>
+concept MeetsBlocks = requires(Search search) {
+  search.meet_edges_of_b(Index{}, Index{});
+};
+
 template <class Search>
 class PairDescent {
  public:
@@ -62,7 +69,14 @@ class PairDescent {
   bool descend(const Node& a, const Node& b) {
     const bool a_is_edge = a_.is_edge(a.place);
     const bool b_is_edge = b_.is_edge(b.place);
-    if (a_is_edge && b_is_edge) {
+    if constexpr (MeetsBlocks<Search>) {
+      if (a_is_edge && b_.is_edge(ChainTree::child(b.place, 0))) {
+        return search_.meet_edges_of_b(a.place.index, b.place.index);
+      }
+      if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {
+        return search_.meet_edges_of_a(a.place.index, b.place.index);
+      }
+    } else if (a_is_edge && b_is_edge) {
       return search_.meet(a.place.index, b.place.index);
     }
     if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {

@@ -38,6 +38,25 @@ class RelativePair {
     return {scaled(moved(b.relative(j))), scaled(moved(b.relative(placed_.b.next(j))))};
   }
 
+  // Four edges, or one four times, and four points.
+  struct FourEnds {
+    SimdDouble from_x;
+    SimdDouble from_y;
+    SimdDouble to_x;
+    SimdDouble to_y;
+
+    static FourEnds of(const Ends& ends) {
+      return {SimdDouble::of(ends.from.x), SimdDouble::of(ends.from.y), SimdDouble::of(ends.to.x),
+              SimdDouble::of(ends.to.y)};
+    }
+  };
+  [[nodiscard]] FourEnds edges_of_a(Index block) const {
+    return scaled(last_blocks(placed_.a)[block], {0, 0});
+  }
+  [[nodiscard]] FourEnds edges_of_b(Index block) const {
+    return scaled(last_blocks(placed_.b)[block], offset_);
+  }
+
   // The squares of the distances of a box from the children of a node.
   [[nodiscard]] SimdDouble squares_of_distances(const ChainTree::Block& block,
                                                 const Box& box) const {
@@ -64,6 +83,21 @@ class RelativePair {
     }
     return along <= 0 ? square(x, y) : square(p.x - segment.to.x, p.y - segment.to.y);
   }
+  static SimdDouble squares_of_distances(const FourEnds& segments, const SimdDouble& px,
+                                         const SimdDouble& py) {
+    const SimdDouble dx = segments.to_x - segments.from_x;
+    const SimdDouble dy = segments.to_y - segments.from_y;
+    const SimdDouble x = px - segments.from_x;
+    const SimdDouble y = py - segments.from_y;
+    const SimdDouble end_x = px - segments.to_x;
+    const SimdDouble end_y = py - segments.to_y;
+    const SimdDouble length = dx * dx + dy * dy;
+    const SimdDouble along = dx * x + dy * y;
+    const SimdDouble height = dx * y - dy * x;
+    const SimdDouble not_from_start =
+        select(along < length, height * (height / length), end_x * end_x + end_y * end_y);
+    return select(along > 0, not_from_start, x * x + y * y);
+  }
   // What the square of a distance up to `reach` may be in doubles.
   [[nodiscard]] double limit_of_squares(double reach) const {
     const double most = reach + 2 * slack_;
@@ -73,6 +107,17 @@ class RelativePair {
  private:
   [[nodiscard]] Point moved(const Point& p) const { return {p.x + offset_.x, p.y + offset_.y}; }
   [[nodiscard]] Point scaled(const Point& p) const { return {scale_ * p.x, scale_ * p.y}; }
+  [[nodiscard]] FourEnds scaled(const SegmentBlock& edges, const Point& offset) const {
+    return {scale_ * (SimdDouble::load(edges.x0) + offset.x),
+            scale_ * (SimdDouble::load(edges.y0) + offset.y),
+            scale_ * (SimdDouble::load(edges.x1) + offset.x),
+            scale_ * (SimdDouble::load(edges.y1) + offset.y)};
+  }
+  // Those of edges.
+  static const SweptSphereBlock* last_blocks(const PlacedPolygon& polygon) {
+    const ChainIndex& index = polygon.boundary.index();
+    return index.spheres.data() + index.tree.first_block.back();
+  }
 
   const PlacedPair& placed_;
   const Point offset_;

@@ -68,11 +68,11 @@ class NearestSolid {
     if (!is_apart()) {
       return;
     }
-    const ContactName name = nearest_features(at.placed, tally_);
-    const Gap gap = gap_of(at.placed, name, tally_);
-    const int order = best_ ? compare_gaps(gap, best_->gap, tally_) : -1;
+    const NearestFeatures nearest = nearest_features(at.placed, tally_);
+    const Gap& gap = nearest.gap;
+    const int order = best_ ? compare_gaps(gap, best_->nearest.gap, tally_) : -1;
     if (order < 0 || (order == 0 && solid.id < id_)) {
-      best_.emplace(Best{solid, name, gap});
+      best_.emplace(Best{solid, nearest});
       id_ = solid.id;
       // The roundings of this and of the distances of boxes are below 4u.
       limit_ = (1 + 0x1p-50) * nearest_gap(gap, tally_) + std::numeric_limits<double>::min();
@@ -87,15 +87,15 @@ class NearestSolid {
       return {0, {Relation::apart, infinity, {}}};
     }
     const PlacedSolid at(best_->solid, moving_, position_);
-    const Contact nearest = contact_of(at.placed, best_->name, tally_);
+    const auto& [name, gap] = best_->nearest;
+    const Contact nearest = contact_across(at.placed, name, gap, tally_);
     return {id_, {Relation::apart, nearest.gap, nearest}};
   }
 
  private:
   struct Best {
     Solid solid;
-    ContactName name;
-    Gap gap;
+    NearestFeatures nearest;
   };
 
   [[nodiscard]] bool is_apart() const { return relation_ == Relation::apart; }
