@@ -2,16 +2,21 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Times of sums in JavaScript: libgcv in WebAssembly beside clipper-lib, and Clipper2 in
-// WebAssembly, from coordinates to coordinates. Prints a table in Markdown.
+// WebAssembly, from coordinates to coordinates. Prints a table in Markdown. Where GCV_LIBRARY names
+// the native library, a second one has how many times as long as that WebAssembly takes.
 //
 //   npm ci && node compare.mjs [SECONDS]  each, of the median: 0.5 by default
 //
 // Takes bindings/javascript/dist, which build.sh there makes. The paper's pairs are taken where
 // ../shared/data or GCV_DATA_DIR has them. The others compute in integers: coordinates are scaled to
 // 2^30, as they are in practice. They give the largest ring of what their sums of closed paths are.
-import { existsSync, readFileSync } from "node:fs";
+import { execFileSync } from "node:child_process";
+import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
 import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
 import { performance } from "node:perf_hooks";
+import { fileURLToPath } from "node:url";
 import { brotliCompressSync } from "node:zlib";
 
 import * as gcv from "../../bindings/javascript/dist/index.js";
@@ -137,4 +142,31 @@ for (const [name, ...files] of pairs) {
   });
   const sizes = `${a.length / 2}, ${b.length / 2}`;
   console.log(`| ${name} | ${sizes} | ${ours.toPrecision(3)} | ${whole.toPrecision(3)} | ${ratios.join(" | ")} |`);
+}
+
+// The median of several ratios, each of two times that were taken one after the other: what else the
+// machine does is much the same for both.
+function nativeRatios(program, a, b) {
+  const operands = new Uint8Array(Float64Array.of(a.length / 2, b.length / 2, ...a, ...b).buffer);
+  const found = Array.from({ length: 5 }, () => {
+    const printed = execFileSync(program, [String(1000 * seconds)], { input: operands, encoding: "utf8" });
+    const [face, whole] = printed.trim().split("\n").map(Number);
+    return [time(() => outerFace(a, b)) / face, time(() => region(a, b)) / whole];
+  });
+  return [0, 1].map((k) => median(found.map((ratios) => ratios[k])));
+}
+
+const library = process.env.GCV_LIBRARY;
+if (library) {
+  const folder = mkdtempSync(join(tmpdir(), "gcv-"));
+  const program = join(folder, "native");
+  const [include, source] = [new URL("capi/include", root), new URL("native.c", import.meta.url)].map(fileURLToPath);
+  const runPath = `-Wl,-rpath,${dirname(library)}`;
+  execFileSync("cc", ["-std=c99", "-O2", `-I${include}`, source, library, runPath, "-o", program]);
+  console.log("\n| pair | outer face : native | region : native |\n| --- | --- | --- |");
+  for (const [name, ...files] of pairs.filter(([, ...files]) => files.every((file) => existsSync(file)))) {
+    const ratios = nativeRatios(program, ...files.map(outerRing));
+    console.log(`| ${name} | ${ratios.map((ratio) => ratio.toFixed(2)).join(" | ")} |`);
+  }
+  rmSync(folder, { recursive: true });
 }

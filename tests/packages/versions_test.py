@@ -9,12 +9,16 @@ import sys
 PLACES = {
     "capi/include/gcv/gcv.h": r"GCV_VERSION_(?:MAJOR|MINOR|PATCH) (\d+)",
     "NEWS.md": r"\A# News\n\n## ([\d.]+)\n",
+    "bindings/javascript/package-lock.json": r'"name": "gcv",\n *"version": "(.*)"',
+    "bindings/javascript/package.json": r'(?m)^  "version": "(.*)"',
     "bindings/python/gcv/__init__.py": r'(?m)^__version__ = "(.*)"',
     "bindings/python/pyproject.toml": r'(?m)^version = "(.*)"',
     "bindings/rust/Cargo.lock": r'name = "gcv(?:-sys)?"\nversion = "(.*)"',
     "bindings/rust/gcv-sys/Cargo.toml": r'(?m)^version = "(.*)"',
     "bindings/rust/gcv/Cargo.toml": r'(?m)^(?:gcv-sys = \{ )?version = "(.*?)"',
     "debian/changelog": r"\Agcv \((.*)-[^-]*\) ",
+    "docs/gcv.1": r'(?m)^\.TH GCV 1 \S+ "gcv (.*?)"',
+    "examples/web/package.json": r'(?m)^  "version": "(.*)"',
     "gcv.pc": r"(?m)^Version: (.*)$",
 }
 """Where the version is, or its parts are, which then make the version."""

@@ -3,6 +3,8 @@
 //
 // Geometries of GeoJSON and Well-Known Text: the types, and what is made of rings.
 
+import { coordinatesOf, type Points } from "./points.js";
+
 /** Two coordinates; further ones are left out. */
 export type Position = number[];
 
@@ -41,12 +43,10 @@ export type GeoJSONSource =
   | { readonly type: "Feature"; readonly geometry: GeoJSONSource | null }
   | { readonly type: "FeatureCollection"; readonly features: readonly GeoJSONSource[] };
 
-/** The pairs of x0, y0, x1, y1, ... */
-export function pairsOf(coordinates: ArrayLike<number>): [number, number][] {
-  return Array.from({ length: coordinates.length / 2 }, (_, k) => [
-    coordinates[2 * k],
-    coordinates[2 * k + 1],
-  ]);
+/** The pairs of x0, y0, x1, y1, ...: of a ring, of the ends of a segment, or of positions. */
+export function pairsOf(coordinates: Points): [number, number][] {
+  const xy = coordinatesOf(coordinates, "coordinates", "an array of coordinates");
+  return Array.from({ length: xy.length / 2 }, (_, k) => [xy[2 * k], xy[2 * k + 1]]);
 }
 
 /** A ring as GeoJSON has it: closed. */

@@ -6,6 +6,7 @@
 export { CancelledError, GcvError, InputError, Status } from "./errors.js";
 export { EdgeKind } from "./facts.js";
 export type { EdgeSource, ExactPoint, Fraction, Stats } from "./facts.js";
+export { pairsOf } from "./geojson.js";
 export type {
   GeoJSONGeometryCollection,
   GeoJSONLineString,

@@ -66,7 +66,10 @@ const querySize = 16;
 export class Scene extends SceneMembers {
   /** A scene with the same members, ids, layers and container. From then on each changes alone. */
   copy(): Scene {
-    return new Scene(new Made(pointerOf((out) => library.gcv_scene_copy(this.pointer, out))));
+    const made = new Made(pointerOf((out) => library.gcv_scene_copy(this.pointer, out)));
+    const scene = new Scene(made);
+    scene.kept = this.container;
+    return scene;
   }
 
   /**

@@ -16,6 +16,9 @@ export const allLayers = 0xffffffff;
 
 /** What a scene consists of. */
 export abstract class SceneMembers extends Handle {
+  /** The polygon of the container, of which the library gives no handle. @internal */
+  protected kept: Polygon | null = null;
+
   /** A scene without members, in a container if there is one. */
   constructor(container?: PolygonLike | null);
   /** @internal */
@@ -35,15 +38,29 @@ export abstract class SceneMembers extends Handle {
     }
   }
 
+  /** The polygon that members are to be in, made at each call; null for none. */
+  get container(): Polygon | null {
+    void this.pointer; // throws where the scene was freed
+    return this.kept === null ? null : new Polygon(this.kept.polygonMade());
+  }
+
   /** Puts a container round the members, in place of the one that there may be; null for none. */
   setContainer(container: PolygonLike | null): void {
-    if (container === null) {
-      check(library.gcv_scene_set_container(this.pointer, 0));
-      return;
+    const kept = container === null ? null : ownPolygon(container, "container");
+    try {
+      check(library.gcv_scene_set_container(this.pointer, kept?.pointer ?? 0));
+    } catch (error) {
+      kept?.free();
+      throw error;
     }
-    withPolygons({ container }, (polygon) =>
-      check(library.gcv_scene_set_container(this.pointer, polygon!)),
-    );
+    this.kept?.free();
+    this.kept = kept;
+  }
+
+  override free(): void {
+    super.free();
+    this.kept?.free();
+    this.kept = null;
   }
 
   /** Adds a polygon at a position, and gives its id. */
@@ -173,6 +190,13 @@ export abstract class SceneMembers extends Handle {
       new Made(pointerOf((out) => library.gcv_scene_polygon(this.pointer, known, out))),
     );
   }
+}
+
+/** A new polygon, whatever it is made from. */
+function ownPolygon(source: PolygonLike, name: string): Polygon {
+  const made: Polygon[] = [];
+  const polygon = polygonOf(source, name, made);
+  return made.length === 0 ? new Polygon(polygon.polygonMade()) : polygon;
 }
 
 function withMany<T>(sources: readonly PolygonLike[], use: (pointers: number[]) => T): T {

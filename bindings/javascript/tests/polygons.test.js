@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { GcvError, InputError, Polygon, Status, minkowskiSum, minkowskiSumRegion } from "gcv";
+import { GcvError, InputError, Polygon, Status, minkowskiSum, minkowskiSumRegion, pairsOf } from "gcv";
 
 const plate = [[0, 0], [6, 0], [6, 4], [0, 4]];
 const hole = [[1, 1], [3, 1], [3, 3]];
@@ -128,4 +128,14 @@ test("sources that are no polygons", () => {
   fails(() => new Polygon(plate, [wkt]), InputError, Status.INVALID_ARGUMENT, /hole 0 has 2 rings/);
   fails(() => Polygon.disc([0, 0], -1, 1), InputError, Status.INVALID_ARGUMENT, /radius/);
   fails(() => new Polygon([[0, 0], [1e308, 0], [0, 1e308]]).area, GcvError, Status.RANGE, /./);
+});
+
+test("arrays of pairs come out, too", () => {
+  const polygon = new Polygon(plate, [hole]);
+  assert.deepEqual(pairsOf(polygon.vertices), plate);
+  assert.deepEqual(pairsOf(polygon.holes[0]), [[1, 1], [3, 3], [3, 1]]);
+  assert.deepEqual(pairsOf(plate), plate);
+  assert.deepEqual(pairsOf(new Float64Array()), []);
+  fails(() => pairsOf([0, 0]), InputError, Status.INVALID_ARGUMENT, /^coordinates\[0\]: 0 is not a pair/);
+  fails(() => pairsOf(new Float64Array(3)), InputError, Status.INVALID_ARGUMENT, /3 numbers does not hold pairs/);
 });

@@ -30,6 +30,23 @@ test("members come, change and go", () => {
   assert.equal(scene.add(square(1), [8, 8]), 7);
 });
 
+test("the container is given back, as it was passed", () => {
+  const given = square(10);
+  const scene = new Scene(given);
+  given.free();
+  assert.equal(scene.container.toWKT(), square(10).toWKT());
+  const copy = scene.copy();
+  scene.setContainer([[0, 0], [4, 0], [0, 4]]);
+  assert.throws(() => scene.setContainer([[0, 0]]), { name: "InputError", message: /^container: / });
+  assert.equal(scene.container.area, 8);
+  scene.setContainer(null);
+  assert.equal(scene.container, null);
+  scene.free();
+  assert.throws(() => scene.container, InputError);
+  assert.equal(copy.container.area, 100);
+  assert.equal(new Scene().container, null);
+});
+
 test("changes that fail leave a scene as it was", () => {
   const scene = new Scene();
   scene.add(square(1));

@@ -16,7 +16,7 @@ from ._contacts import record_of
 from ._coordinates import Points
 from ._drawing import svg
 from ._ffi import Error
-from ._files import read_points
+from ._files import name_of, read_points
 from ._formats import Result, polygons_and_fits
 from ._named import invalid
 from ._offset import offset
@@ -174,7 +174,8 @@ def _check_limits(options: Options) -> None:
 def _container(options: Options) -> Polygon:
     first, *others = polygons_of(options, "container")
     if others:
-        raise invalid(options.container, "a container is one polygon, and this file has several")
+        reason = "a container is one polygon, and this file has several"
+        raise invalid(name_of(options.container), reason)
     return first.polygon
 
 

@@ -33,7 +33,7 @@ def read_polygons(
     Raises InputError where there is no polygon, or one that is none; OSError where the
     file cannot be read.
     """
-    name, data = _read(file)
+    name, data = name_of(file), _read(file)
     reading = Reading(name, flatten, note)
     try:
         polygons = _reader_of(data)(data, reading)
@@ -61,7 +61,7 @@ def read_points(file: str) -> Points:
 
     Empty lines are left out, and what begins with a #.
     """
-    name, data = _read(file)
+    name, data = name_of(file), _read(file)
     points: Points = []
     for number, line in enumerate(data.decode(errors="replace").splitlines(), 1):
         words = line.partition("#")[0].strip()
@@ -76,13 +76,17 @@ def read_points(file: str) -> Points:
     return points
 
 
-def _read(file: str) -> tuple[str, bytes]:
-    """What messages call a file, and its bytes."""
+def name_of(file: str) -> str:
+    """What messages call a file."""
+    return "standard input" if file == STANDARD_INPUT else file
+
+
+def _read(file: str) -> bytes:
     if file != STANDARD_INPUT:
         with open(file, "rb") as opened:
-            name, data = file, opened.read()
+            data = opened.read()
     elif sys.stdin is None:
-        raise OSError(errno.EBADF, os.strerror(errno.EBADF), "standard input")
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF), name_of(file))
     else:
-        name, data = "standard input", sys.stdin.buffer.read()
-    return name, data[len(BOM_UTF8) :] if data.startswith(BOM_UTF8) else data
+        data = sys.stdin.buffer.read()
+    return data[len(BOM_UTF8) :] if data.startswith(BOM_UTF8) else data

@@ -14,7 +14,7 @@ from typing import Any, Callable, NamedTuple, Optional
 
 from ._call import Progress
 from ._ffi import Error
-from ._files import read_polygons
+from ._files import name_of, read_polygons
 from ._named import NamedPolygon, invalid
 from ._polygon import Polygon
 
@@ -65,7 +65,7 @@ def _picked(options: argparse.Namespace, name: str) -> list[tuple[int, NamedPoly
         return found
     if not 0 <= number < len(found):
         reason = f"there is no polygon {number} in this file of {len(found)}"
-        raise invalid(getattr(options, name), reason)
+        raise invalid(name_of(getattr(options, name)), reason)
     return [found[number]]
 
 

@@ -297,6 +297,11 @@ def test_failures_say_where(folder: Path) -> None:
     (folder / "large.wkt").write_text(f"{PEG}\n{large}")
     run = run_program(folder, "sum", "large.wkt", "-", text=large)
     assert "large.wkt: polygon 1 and standard input: polygon: " in failure(run, 1)
+    two = f"{PEG}\n{PEG}"
+    run = run_program(folder, "sum", "a.wkt", "-", "--pick-b", "2", text=two)
+    assert failure(run, 1) == "gcv: standard input: there is no polygon 2 in this file of 2\n"
+    run = run_program(folder, "free", "a.wkt", "b.wkt", "--container", "-", text=two)
+    assert failure(run, 1).startswith("gcv: standard input: a container is one polygon")
     run = run_program(folder, "distance", "large.wkt", "b.wkt", "--at", "-1.7e308", "-1.7e308")
     assert "large.wkt: polygon 0 and b.wkt: polygon: " in failure(run, 1)
 

@@ -53,11 +53,12 @@ sum=$(cd "$elsewhere" && venv/bin/python -m gcv square.wkt square.wkt)
 [ "$sum" = "POLYGON ((0 0, 2 0, 2 2, 0 2, 0 0))" ] || fail "the sum is $sum"
 same=$("$elsewhere/venv/bin/gcv" sum "$elsewhere/square.wkt" - < "$elsewhere/square.wkt")
 [ "$same" = "$sum" ] || fail "the program says $same"
+cmp "$repository/docs/gcv.1" "$elsewhere/venv/share/man/man1/gcv.1" || fail "there is no manual page"
 
 "$python" -m build --no-isolation --sdist -o "$elsewhere/sdist" "$binding"
 tar -xzf "$elsewhere"/sdist/*.tar.gz -C "$elsewhere/sdist"
 unpacked=$(echo "$elsewhere"/sdist/gcv-*/)
-for part in CMakeLists.txt capi cpp pkgconfig; do
+for part in CMakeLists.txt capi cpp docs/gcv.1 pkgconfig; do
   diff -r "$repository/$part" "$unpacked/libgcv/$part"
 done
 for part in CMakeLists.txt LICENSE README.md gcv pyproject.toml; do

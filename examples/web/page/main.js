@@ -155,7 +155,7 @@ on("add-vertex", () => view.addCorner());
 on("remove-vertex", () => view.removeCorner());
 on("paste", () =>
   navigator.clipboard.readText().then(
-    (text) => take(text, null),
+    (text) => take([text], null),
     () => page.report("The clipboard cannot be read. Press Ctrl+V instead."),
   ),
 );
@@ -165,6 +165,7 @@ snap.addEventListener("change", () => {
   stage.redraw();
 });
 const help = element("help", HTMLDetailsElement);
+help.addEventListener("toggle", () => help.open && help.scrollIntoView({ block: "start" }));
 const file = element("file", HTMLInputElement);
 on("open", () => file.click());
 file.addEventListener("change", async () => {
@@ -172,10 +173,11 @@ file.addEventListener("change", async () => {
   file.value = "";
 });
 
-/** @param {string} text @param {import("./shapes.js").Point | null} point */
-async function take(text, point) {
+/** The polygons of texts, all of them or none. @param {string[]} texts
+ * @param {import("./shapes.js").Point | null} point */
+async function take(texts, point) {
   try {
-    const { answer } = await page.answers.ask("read", sourcesOf(text));
+    const { answer } = await page.answers.ask("read", texts.flatMap(sourcesOf));
     view.take(answer, point);
     fit();
     page.report("");
@@ -187,8 +189,8 @@ async function take(text, point) {
 
 /** @param {FileList | null | undefined} list @param {import("./shapes.js").Point | null} point */
 async function takeFiles(list, point = null) {
-  for (const one of list ?? []) {
-    await take(await one.text(), point);
+  if (list && list.length > 0) {
+    await take(await Promise.all(Array.from(list, (one) => one.text())), point);
   }
 }
 
@@ -212,14 +214,14 @@ window.addEventListener("drop", (event) => {
   if (files !== null && files.length > 0) {
     void takeFiles(files, point);
   } else {
-    void take(event.dataTransfer?.getData("text/plain") ?? "", point);
+    void take([event.dataTransfer?.getData("text/plain") ?? ""], point);
   }
 });
 window.addEventListener("paste", (event) => {
   const { files = null } = event.clipboardData ?? {};
   void (files !== null && files.length > 0
     ? takeFiles(files)
-    : take(event.clipboardData?.getData("text/plain") ?? "", null));
+    : take([event.clipboardData?.getData("text/plain") ?? ""], null));
 });
 
 window.addEventListener("keydown", (event) => {

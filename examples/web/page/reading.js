@@ -12,7 +12,7 @@
 /** @param {string} text @returns {Source[]} */
 export function sourcesOf(text) {
   const sources = text.trimStart().startsWith("{")
-    ? geometriesOf(JSON.parse(text)).map((geometry) => plain(JSON.stringify(geometry)))
+    ? geometriesOf(parsed(text)).map((geometry) => plain(JSON.stringify(geometry)))
     : /<svg[\s>]/i.test(text)
       ? sourcesOfSVG(text)
       : /^\s*[Mm][\s,]*[-+.\d]/.test(text)
@@ -29,17 +29,34 @@ function plain(text) {
   return { text, matrix: null };
 }
 
+/** @param {string} text */
+function parsed(text) {
+  try {
+    return JSON.parse(text);
+  } catch (error) {
+    throw new Error(`GeoJSON: ${/** @type {Error} */ (error).message}`);
+  }
+}
+
+/** What GeoJSON has under a name, which must be a list. @param {any} value @param {string} name @returns {any[]} */
+function listOf(value, name) {
+  if (!Array.isArray(value[name])) {
+    throw new Error(`GeoJSON: the ${name} of a ${value.type} are not a list.`);
+  }
+  return value[name];
+}
+
 /** The polygons of GeoJSON. @param {any} value @returns {object[]} */
 function geometriesOf(value) {
   switch (value?.type) {
     case "FeatureCollection":
-      return value.features.flatMap(geometriesOf);
+      return listOf(value, "features").flatMap(geometriesOf);
     case "Feature":
       return geometriesOf(value.geometry);
     case "GeometryCollection":
-      return value.geometries.flatMap(geometriesOf);
+      return listOf(value, "geometries").flatMap(geometriesOf);
     case "MultiPolygon":
-      return value.coordinates.map((/** @type {unknown} */ coordinates) => ({ type: "Polygon", coordinates }));
+      return listOf(value, "coordinates").map((coordinates) => ({ type: "Polygon", coordinates }));
     case "Polygon":
       return [value];
     default:
@@ -76,7 +93,7 @@ function groupsOf(text) {
   return depth > 0 ? [...groups, text.slice(start)] : groups;
 }
 
-/** The paths, polygons and rectangles of a picture. Its y axis points downwards, and so is turned.
+/** The paths, polygons, polylines and rectangles of a picture. Its y axis points downwards, and so is turned.
  * Nothing of the picture becomes part of the page. @param {string} text */
 function sourcesOfSVG(text) {
   const picture = new DOMParser().parseFromString(text, "image/svg+xml");
@@ -84,7 +101,7 @@ function sourcesOfSVG(text) {
   if (fault !== null) {
     throw new Error(`SVG: ${(fault.querySelector("div") ?? fault).textContent?.trim()}`);
   }
-  return [...picture.querySelectorAll("path, polygon, rect")]
+  return [...picture.querySelectorAll("path, polygon, polyline, rect")]
     .filter((element) => element.closest("defs, clipPath, mask, marker, pattern, symbol") === null)
     .map((element) => {
       const { a, b, c, d, e, f } = transformOf(element);
@@ -95,13 +112,22 @@ function sourcesOfSVG(text) {
 
 /** @param {Element} element */
 function pathOf(element) {
-  const number = (/** @type {string} */ name) => Number.parseFloat(element.getAttribute(name) ?? "0");
+  const number = (/** @type {string} */ name) => {
+    const value = element.getAttribute(name) ?? "0";
+    if (!/^\s*[-+.\d]/.test(value) || value.includes("%")) {
+      throw new Error(`SVG: ${name}="${value}" of a ${element.localName} is not a length in units of the picture.`);
+    }
+    return Number.parseFloat(value);
+  };
   if (element.localName === "path") {
     return element.getAttribute("d") ?? "";
   }
-  if (element.localName === "polygon") {
+  if (element.localName !== "rect") {
     const points = element.getAttribute("points")?.trim() ?? "";
     return points === "" ? "" : `M ${points} Z`;
+  }
+  if (number("rx") !== 0 || number("ry") !== 0) {
+    throw new Error("SVG: a rectangle with round corners is no polygon.");
   }
   const [width, height] = [number("width"), number("height")];
   return `M ${number("x")} ${number("y")} h ${width} v ${height} h ${-width} Z`;

@@ -156,6 +156,42 @@ test("a file is opened, and one without polygons is named", async () => {
   await page.waitForFunction(() => document.getElementById("problem")?.textContent?.includes("curves"));
 });
 
+test("of several files each has its polygons", async () => {
+  const { page } = opened;
+  const files = [square, '<svg xmlns="http://www.w3.org/2000/svg"><polyline points="0,0 3,0 3,3 2,3 0,1"/></svg>'];
+  await page.setInputFiles(
+    "#file",
+    files.map((text, k) => ({ name: `${k}.txt`, mimeType: "text/plain", buffer: Buffer.from(text) })),
+  );
+  await until(page, "Vertices of A, B", "4, 5");
+});
+
+test("what is wrong with a text is said, and changes nothing", async () => {
+  const { page } = opened;
+  await simple();
+  const svg = (/** @type {string} */ shape) => `<svg xmlns="http://www.w3.org/2000/svg">${shape}</svg>`;
+  /** @type {[string, string][]} */
+  const wrong = [
+    ['{"type": ', "GeoJSON: "],
+    ['{"type": "FeatureCollection"}', "GeoJSON: the features of a FeatureCollection are not a list."],
+    ['{"type": "MultiPolygon", "coordinates": 5}', "GeoJSON: the coordinates of a MultiPolygon are not a list."],
+    ['{"type": "Polygon"}', "polygon: undefined in a geometry is not a list"],
+    ["POLYGON ((0 0, 2 2, 2 0, 0 2, 0 0))", "polygon: edges 0 and 2 meet"],
+    ["POLYGON ((0 0, 1e308 0, 1e308 1e308, -1e308 1e308))", "A polygon has a coordinate beyond 1e+100"],
+    [svg('<rect width="9" height="5" rx="2"/>'), "SVG: a rectangle with round corners"],
+    [svg('<rect width="100%" height="5"/>'), 'SVG: width="100%" of a rect'],
+    [svg("<path"), "SVG: error on line 1"],
+  ];
+  for (const [text, words] of wrong) {
+    await give(page, "drop", text);
+    await page.waitForFunction((words) => document.getElementById("problem")?.textContent?.startsWith(words), words);
+    assert.equal((await factsOf(page))["Vertices of A, B"], "4, 3");
+  }
+  await give(page, "paste", triangle);
+  await until(page, "Vertices of A, B", "3, 3");
+  assert.equal(await page.textContent("#problem"), "");
+});
+
 test("the result is copied as text", async () => {
   const { page, context } = opened;
   await context.grantPermissions(["clipboard-read", "clipboard-write"]);
