@@ -10,6 +10,8 @@
 #include <thread>
 #include <vector>
 
+#include "task.hpp"
+
 namespace gcv {
 
 namespace {
@@ -17,7 +19,7 @@ namespace {
 class Team {
  public:
   Team(std::size_t count, const std::function<void(std::size_t)>& work)
-      : count_(count), work_(work), failed_(count) {}
+      : count_(count), work_(work), task_(CurrentTask::get()), failed_(count) {}
 
   // The work of each thread.
   void run() noexcept {
@@ -36,6 +38,7 @@ class Team {
 
   // The work of each thread except the calling one.
   void run_beside() noexcept {
+    const CurrentTask current(task_);
     run();
     const std::lock_guard<std::mutex> lock(mutex_);
     ++ended_;
@@ -62,6 +65,7 @@ class Team {
  private:
   std::size_t count_;
   const std::function<void(std::size_t)>& work_;
+  Task* task_;  // of the thread that makes this
   std::atomic<std::size_t> next_{0};
   std::mutex mutex_;
   std::condition_variable one_ended_;

@@ -8,6 +8,14 @@
 
 namespace gcv {
 
+thread_local Task* CurrentTask::current_ = nullptr;
+
+void Pace::poll() {
+  if (Task* const task = CurrentTask::get()) {
+    task->poll();
+  }
+}
+
 void Task::begin(std::uint64_t estimate, std::uint64_t parts) {
   estimate_ = estimate;
   parts_ = parts;
@@ -60,6 +68,8 @@ void Task::finish() {
 void Task::tell(std::uint64_t estimate) {
   assert(std::this_thread::get_id() == caller_);
   reported_ = done_;
+  // What the caller asks the library in between is no part of this task.
+  const CurrentTask none(nullptr);
   if (!cancelled_ && report_ != nullptr &&
       report_(context_, reported_, std::max(reported_, estimate)) != 0) {
     cancelled_ = true;

@@ -2,13 +2,34 @@
 //
 // One computation as its caller sees it. It holds the number of threads that the computation may
 // use. It reports progress to the caller, who may cancel.
+//
+// What is prepared once for many computations, such as the indices of a polygon, is not told for
+// which of them it is made. It polls the current task of its thread.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <thread>
+#include <utility>
 
 namespace gcv {
+
+class Task;
+
+// Makes a task, or none, the current one of this thread for as long as it lives.
+class CurrentTask {
+ public:
+  explicit CurrentTask(Task* task) : before_(std::exchange(current_, task)) {}
+  CurrentTask(const CurrentTask&) = delete;
+  CurrentTask& operator=(const CurrentTask&) = delete;
+  ~CurrentTask() { current_ = before_; }
+
+  static Task* get() { return current_; }
+
+ private:
+  static thread_local Task* current_;
+  Task* before_;
+};
 
 class Task {
  public:
@@ -19,12 +40,16 @@ class Task {
   // Work is done, and steps are reported, in portions of this size.
   static constexpr std::uint64_t portion = 2048;
 
-  // A task on one thread that reports nothing.
-  Task() = default;
+  // A task on one thread that reports nothing. The current task stays what it is.
+  Task() : current_(CurrentTask::get()) {}
   // `report` may be null. Only the thread that makes this object calls it, when at least so many
-  // steps are done since the last time.
+  // steps are done since the last time. It is the current task from now on.
   Task(unsigned threads, Report report, void* context, std::uint64_t steps_a_report = portion)
-      : threads_(threads), report_(report), context_(context), steps_a_report_(steps_a_report) {}
+      : current_(this),
+        threads_(threads),
+        report_(report),
+        context_(context),
+        steps_a_report_(steps_a_report) {}
 
   [[nodiscard]] unsigned threads() const { return threads_; }
 
@@ -52,6 +77,7 @@ class Task {
   [[nodiscard]] std::uint64_t estimate() const;
   void check() const;
 
+  CurrentTask current_;
   unsigned threads_ = 1;
   Report report_ = nullptr;
   void* context_ = nullptr;
@@ -63,6 +89,25 @@ class Task {
   std::atomic<std::uint64_t> done_{0};
   std::atomic<std::uint64_t> parts_done_{0};
   std::atomic<bool> cancelled_{false};
+};
+
+// Polls the current task, if there is one, each time that so many steps are done. A step takes some
+// ten nanoseconds, or a few hundred.
+class Pace {
+ public:
+  void step(std::uint64_t steps = 1) {
+    done_ += steps;
+    if (done_ >= steps_a_poll) {
+      done_ = 0;
+      poll();
+    }
+  }
+
+ private:
+  static constexpr std::uint64_t steps_a_poll = 1U << 15;
+  static void poll();
+
+  std::uint64_t done_ = 0;
 };
 
 }  // namespace gcv

@@ -12,6 +12,7 @@
 #include "error.hpp"
 #include "predicates.hpp"
 #include "simplicity.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -290,7 +291,9 @@ Boundary joined(std::span<const PlacedBoundary> parts) {
   const Point& origin = parts.front().boundary.vertices.front();
   const Point& at = parts.front().position;
   bool is_first = true;
+  Pace pace;
   for (const auto& [boundary, position] : parts) {
+    pace.step(2 * std::uint64_t{boundary.size()});
     const Index ring_count = is_first ? 0 : all.layout.ring_count();
     if (boundary.solids.empty()) {
       all.solids.push_back(ring_count);

@@ -40,11 +40,14 @@ BoxTree::BoxTree(std::span<const Box> boxes) {
   std::iota(numbers.begin(), numbers.end(), 0);
   blocks_.reserve(boxes.size() / 2 + 1);
   if (!numbers.empty()) {
-    add(boxes, numbers);
+    Pace pace;
+    add(boxes, numbers, pace);
   }
 }
 
-BoxTree::Lane BoxTree::add(std::span<const Box> boxes, std::span<std::uint32_t> numbers) {
+BoxTree::Lane BoxTree::add(std::span<const Box> boxes, std::span<std::uint32_t> numbers,
+                           Pace& pace) {
+  pace.step(4 * std::uint64_t{numbers.size()});
   const auto number = static_cast<std::uint32_t>(blocks_.size());
   blocks_.push_back({});
   Block block{};
@@ -52,8 +55,8 @@ BoxTree::Lane BoxTree::add(std::span<const Box> boxes, std::span<std::uint32_t> 
   std::uint32_t next = 0;
   const auto put = [&](std::span<std::uint32_t> below) {
     const bool is_leaf = below.size() == 1;
-    const Lane lane =
-        is_leaf ? Lane{below.front(), plane_if_unknown(boxes[below.front()])} : add(boxes, below);
+    const Lane lane = is_leaf ? Lane{below.front(), plane_if_unknown(boxes[below.front()])}
+                              : add(boxes, below, pace);
     block.boxes.put(next, lane.box);
     block.below[next] = lane.below;
     block.lanes |= 1U << next;

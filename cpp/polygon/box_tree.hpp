@@ -11,6 +11,7 @@
 
 #include "box.hpp"
 #include "simd.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -77,7 +78,7 @@ class BoxTree {
     Box box;
   };
   // Adds a block over these boxes, and all below it.
-  Lane add(std::span<const Box> boxes, std::span<std::uint32_t> numbers);
+  Lane add(std::span<const Box> boxes, std::span<std::uint32_t> numbers, Pace& pace);
 
   std::vector<Block> blocks_;
 };

@@ -17,6 +17,7 @@
 #include "point.hpp"
 #include "ring_layout.hpp"
 #include "simd.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -104,9 +105,11 @@ ChainTree build_tree(std::uint32_t count, BoxOf box) {
     total += counts[depths - 1 - depth];
   }
   tree.blocks.resize(total);
+  Pace pace;
   const auto fill = [&](std::uint32_t first, std::uint32_t blocks, std::uint32_t lanes,
                         const auto& box_of_lane) {
     for (std::uint32_t k = 0; k < blocks * width; ++k) {
+      pace.step();
       tree.blocks[first + k / width].put(k % width, k < lanes ? box_of_lane(k) : empty_box);
     }
   };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "chain_tree.hpp"
+#include "task.hpp"
 #include "vector.hpp"
 
 namespace gcv {
@@ -89,6 +90,7 @@ class Builder {
   }
 
   void put(std::uint32_t block, std::uint32_t lane, const Range& range) {
+    pace_.step(range.size());
     const bool is_one_chain = is_chain(range);
     Furthest of_chain;
     if (!is_one_chain) {
@@ -147,6 +149,7 @@ class Builder {
   const EdgeChain& chain_;
   const RingLayout& layout_;
   ChordTree tree_;
+  Pace pace_;
 };
 
 }  // namespace

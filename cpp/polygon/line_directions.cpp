@@ -8,6 +8,7 @@
 
 #include "direction_key.hpp"
 #include "predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -24,8 +25,7 @@ class LineSorter {
     if (is_convex_) {
       merge_halves();
     } else {
-      std::sort(lines_.begin(), lines_.end(),
-                [](const Line& e, const Line& f) { return e.key > f.key; });
+      sort_by_keys();
     }
     if (!number_lines()) {
       take_lines();
@@ -68,8 +68,25 @@ class LineSorter {
 
   struct Before {
     LineSorter* sorter;
-    bool operator()(const Line& e, const Line& f) const { return sorter->compare(e, f) > 0; }
+    bool operator()(const Line& e, const Line& f) const {
+      sorter->pace_.step();
+      return sorter->compare(e, f) > 0;
+    }
   };
+
+  // A few are sorted before anyone could cancel.
+  void sort_by_keys() {
+    constexpr std::size_t few = 10000;
+    const auto before = [](const Line& e, const Line& f) { return e.key > f.key; };
+    if (lines_.size() <= few) {
+      std::sort(lines_.begin(), lines_.end(), before);
+    } else {
+      std::sort(lines_.begin(), lines_.end(), [&](const Line& e, const Line& f) {
+        pace_.step();
+        return before(e, f);
+      });
+    }
+  }
 
   // For convex polygons only. The edges that point up are in order already, and so are the edges
   // that point down.
@@ -109,6 +126,7 @@ class LineSorter {
   Buffer<Line>& lines_ = directions_.lines;
   Buffer<LineDirections::Edge>& edges_ = directions_.edges;
   Tally tally_;
+  Pace pace_;
 };
 
 }  // namespace

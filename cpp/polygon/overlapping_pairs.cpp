@@ -133,7 +133,9 @@ void OverlappingPairs::build(std::size_t boxes, Fill fill) {
                 {SimdFloat::highest, SimdFloat::highest, SimdFloat::lowest, SimdFloat::lowest});
     }
   };
+  Pace pace;
   for (std::uint32_t node = 0; node < first_block_[1]; ++node) {
+    pace.step(width);
     const std::uint32_t lanes = children(0, node);
     nodes_[node].ways = fill(nodes_[node].block, std::size_t{width} * node, lanes);
     leave_out(nodes_[node].block, lanes);

@@ -17,6 +17,7 @@
 #include "box.hpp"
 #include "point.hpp"
 #include "simd.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -98,6 +99,7 @@ class OverlappingPairs {
     const OverlappingPairs& pairs;
     std::uint64_t pairs_left;
     Visit& visit;
+    Pace pace{};
 
     // Visits the pairs inside a node.
     bool within(std::uint32_t level, std::uint32_t node) {
@@ -140,6 +142,7 @@ class OverlappingPairs {
     // the second node.
     bool between(std::uint32_t level, std::uint32_t first, std::uint32_t second,
                  const NodeBox& box_of_second) {
+      pace.step(width);
       const Block& p = pairs.block(level, first);
       const Block& q = pairs.block(level, second);
       for (unsigned lanes = p.overlapping(box_of_second); lanes != 0; lanes &= lanes - 1) {

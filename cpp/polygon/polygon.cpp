@@ -11,6 +11,7 @@
 #include "curve_order.hpp"
 #include "error.hpp"
 #include "ring_nesting.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -53,8 +54,10 @@ Polygon polygon_of(std::size_t ring_count, const char* name, Make make) {
   }
   Polygon polygon(make(0, RingName(name, 0).text()));
   polygon.holes.reserve(ring_count - 1);
+  Pace pace;
   for (std::size_t k = 1; k < ring_count; ++k) {
     polygon.holes.push_back(make(k, RingName(name, k).text()));
+    pace.step(32 * std::uint64_t{polygon.holes.back().size()});
   }
   check_nesting(rings_of(polygon), name);
   return polygon;

@@ -21,6 +21,7 @@
 #include "error.hpp"
 #include "overlapping_pairs.hpp"
 #include "predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -46,7 +47,9 @@ class Nesting {
   }
 
   Tally check() {
+    Pace pace;
     for (Index r = 0; r < static_cast<Index>(rings_.size()); ++r) {
+      pace.step(2 * std::uint64_t{rings_[r]->size()});
       for (Index i = 0; i < rings_[r]->size(); ++i) {
         edges_.push_back({r, i});
         boxes_.push_back(box_of(from(edges_.back()), to(edges_.back())));
@@ -214,8 +217,11 @@ class Nesting {
         spans.push_back({left, right, e});
       }
     }
-    std::sort(spans.begin(), spans.end(),
-              [](const Span& p, const Span& q) { return p.left.x < q.left.x; });
+    Pace pace;
+    std::sort(spans.begin(), spans.end(), [&](const Span& p, const Span& q) {
+      pace.step();
+      return p.left.x < q.left.x;
+    });
     return spans;
   }
 
@@ -230,13 +236,17 @@ class Nesting {
     const std::vector<Span> spans = spans_by_left();
     std::vector<std::size_t> by_right(spans.size());
     std::iota(by_right.begin(), by_right.end(), std::size_t{0});
-    std::sort(by_right.begin(), by_right.end(),
-              [&](std::size_t i, std::size_t j) { return spans[i].right.x < spans[j].right.x; });
+    Pace pace;
+    std::sort(by_right.begin(), by_right.end(), [&](std::size_t i, std::size_t j) {
+      pace.step();
+      return spans[i].right.x < spans[j].right.x;
+    });
     Sweep sweep(FromBelow{tally_});
     std::vector<Sweep::iterator> places(spans.size(), sweep.end());
     auto ending = by_right.begin();
     std::size_t begun = 0;
     for (const Ray& ray : rays) {
+      pace.step(16);
       for (; ending != by_right.end() && spans[*ending].right.x <= ray.from.x; ++ending) {
         if (places[*ending] != sweep.end()) {
           sweep.erase(places[*ending]);

@@ -21,6 +21,7 @@
 #include "overlapping_pairs.hpp"
 #include "parallel.hpp"
 #include "predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -61,7 +62,9 @@ class Sweep {
       }
     }
     places_.resize(ring_.size());
+    Pace pace;
     for (const EdgeIndex vertex : order) {
+      pace.step(16);
       pass(vertex);
       if (conflict_) {
         return conflict_;
@@ -219,8 +222,10 @@ bool is_soon_seen_simple(std::span<const Point> ring, const Box& bounds, unsigne
   std::atomic<bool> seen{true};
   for_each_in_parallel(parts, threads, [&](std::size_t part) {
     Tally tally_of_part;
+    Pace pace;
     if (!pairs.visit_from(level, static_cast<std::uint32_t>(part),
                           pairs_per_edge * ring.size() / parts, [&](std::size_t e, std::size_t f) {
+                            pace.step();
                             return !conflicting(ring, e, f, tally_of_part);
                           })) {
       seen = false;

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "box.hpp"
+#include "task.hpp"
 #include "vector.hpp"
 
 namespace gcv {
@@ -79,10 +80,12 @@ std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const E
   const std::size_t n = chain.size();
   std::vector<SweptSphereBlock> spheres(tree.blocks.size());
   std::size_t below = 1;  // edges below a node
+  Pace pace;
   for (std::size_t depth = tree.first_block.size(); depth-- > 0; below *= width) {
     for (std::size_t node = 0; node * below < n; ++node) {
       const std::size_t first = node * below;
       const std::size_t edges = std::min(below, n - first);
+      pace.step(edges);
       const SweptSphere sphere =
           swept_sphere_of_chain(chain.ends(static_cast<Index>(first), static_cast<Index>(edges)));
       SweptSphereBlock& block = spheres[tree.first_block[depth] + node / width];

@@ -10,6 +10,7 @@
 #include "exact_numbers.hpp"
 #include "predicates.hpp"
 #include "rounding.hpp"
+#include "task.hpp"
 #include "vector.hpp"
 
 namespace gcv {
@@ -136,7 +137,9 @@ void ExactOrder::sort(std::vector<std::vector<RingVertex>>& rings) const {
   };
   std::vector<Entry> entries;
   entries.reserve(rings.size());
+  Pace pace;
   for (std::vector<RingVertex>& ring : rings) {
+    pace.step(16 * std::uint64_t{ring.size()});
     std::size_t smallest = 0;
     Placed best = placed(ring.front());
     for (std::size_t k = 1; k < ring.size(); ++k) {
@@ -150,6 +153,7 @@ void ExactOrder::sort(std::vector<std::vector<RingVertex>>& rings) const {
     entries.push_back({best, std::move(ring)});
   }
   const auto is_before = [&](const Entry& p, const Entry& q) {
+    pace.step(4);
     int order = compare(p.first, q.first);
     const std::size_t size = std::min(p.ring.size(), q.ring.size());
     for (std::size_t k = 1; order == 0 && k < size; ++k) {

@@ -16,6 +16,7 @@
 #include "rounding.hpp"
 #include "simplicity.hpp"
 #include "snap_rounding.hpp"
+#include "task.hpp"
 #include "units.hpp"
 #include "vector.hpp"
 
@@ -40,6 +41,7 @@ class Validator {
   void run() {
     for (RoundingRing& ring : rings_.rings) {
       if (!ring.is_fixed) {
+        pace_.step(16 * ring.part->size);
         widen(ring);
       }
     }
@@ -58,6 +60,7 @@ class Validator {
     std::vector<PointVector> points;
     for (RoundingRing& ring : rings_.rings) {
       if (!ring.is_dropped) {
+        pace_.step(8 * ring.part->size);
         left.push_back(&ring);
         points.push_back(ring_of(ring));
       }
@@ -276,6 +279,7 @@ class Validator {
 
   RegionRings& rings_;
   Tally& tally_;
+  Pace pace_;
 };
 
 }  // namespace

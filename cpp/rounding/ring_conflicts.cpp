@@ -11,6 +11,7 @@
 #include "overlapping_pairs.hpp"
 #include "predicates.hpp"
 #include "simplicity.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -22,7 +23,9 @@ struct AllEdges {
   std::vector<Box> boxes;
 
   AllEdges(std::span<const PointVector> rings, double margin) {
+    Pace pace;
     for (std::size_t r = 0; r < rings.size(); ++r) {
+      pace.step(2 * std::uint64_t{rings[r].size()});
       for (std::size_t i = 0; i < rings[r].size(); ++i) {
         edges.push_back({r, i});
         boxes.push_back(

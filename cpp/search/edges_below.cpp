@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "edges_below.hpp"
 
+#include "task.hpp"
+
 namespace gcv {
 
 std::vector<EdgesBelow> all_edges_below(const ChordTree& tree, const Boundary& polygon,
                                         const Ranks& ranks, const Directions& directions) {
   std::vector<EdgesBelow> result(tree.blocks.size() * ChordTree::width);
+  Pace pace;
   for (std::size_t k = result.size(); k-- > 0;) {
+    pace.step();
     const auto node = static_cast<ChordTree::Node>(k);
     if ((tree.block_of(node).lanes >> ChordTree::lane_of(node) & 1U) == 0) {
       continue;

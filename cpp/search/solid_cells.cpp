@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "bit_rows.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -32,7 +33,9 @@ class Rasteriser {
         words_((columns_ + word_size - 1) / word_size),
         touched_(std::size_t{rows_} * words_),
         crossed_(std::size_t{rows_} * words_) {
+    Pace pace;
     for (Index i = 0; i < solid_.size(); ++i) {
+      pace.step(4);
       add_edge(at(i), at(solid_.next(i)));
     }
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "contributing_vertices.hpp"
@@ -22,38 +23,43 @@ class EdgeLines {
   EdgeLines(const Operands& operands, double slack, Tally& tally)
       : operands_(operands), unit_(8 * slack), tally_(tally) {}
 
-  void clear() { lines_.clear(); }
+  void clear() {
+    first_.clear();
+    lines_.clear();
+  }
 
   // Null if it is not there.
   Value* find(const PairEdge& s) {
     const std::int64_t place = place_of(s);
     for (const std::int64_t near : {place, place - 1, place + 1}) {
-      const auto lines = lines_.find(key(s, near));
-      if (lines == lines_.end()) {
-        continue;
-      }
-      for (Line& line : lines->second) {
-        if (holds(line, s)) {
-          return &line.value;
+      const auto first = first_.find(key(s, near));
+      for (std::uint32_t k = first == first_.end() ? none : first->second; k != none;
+           k = lines_[k].next) {
+        if (holds(lines_[k], s)) {
+          return &lines_[k].value;
         }
       }
     }
     return nullptr;
   }
 
-  // Adds it, if it is not there.
+  // Adds it, if it is not there. It may be moved when others are added.
   Value& at(const PairEdge& s) {
     if (Value* const value = find(s)) {
       return *value;
     }
-    std::vector<Line>& lines = lines_[key(s, place_of(s))];
-    lines.push_back({s, {}});
-    return lines.back().value;
+    const auto number = static_cast<std::uint32_t>(lines_.size());
+    const auto [first, is_new] = first_.try_emplace(key(s, place_of(s)), number);
+    lines_.push_back({s, is_new ? none : std::exchange(first->second, number), {}});
+    return lines_.back().value;
   }
 
  private:
+  static constexpr std::uint32_t none = 0xffffffff;
+
   struct Line {
-    PairEdge edge;  // that lies on it
+    PairEdge edge;       // that lies on it
+    std::uint32_t next;  // of the same key
     Value value;
   };
 
@@ -78,7 +84,8 @@ class EdgeLines {
   const Operands& operands_;
   double unit_;
   Tally& tally_;
-  std::unordered_map<std::uint64_t, std::vector<Line>> lines_;
+  std::vector<Line> lines_;
+  std::unordered_map<std::uint64_t, std::uint32_t> first_;  // of each key
 };
 
 }  // namespace gcv

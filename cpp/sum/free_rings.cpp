@@ -15,6 +15,7 @@
 #include "exact_order.hpp"
 #include "overlapping_pairs.hpp"
 #include "ring_predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -80,6 +81,7 @@ class Cutter {
     const std::size_t n = ring.size();
     std::vector<ExactOrder::Placed> placed;
     for (const RingVertex& corner : ring) {
+      pace_.step(16);
       placed.push_back(order_.placed(corner));
     }
     std::vector<Box> boxes(n);
@@ -136,6 +138,7 @@ class Cutter {
   const Operands& operands_;
   const ExactOrder& order_;
   Tally& tally_;
+  Pace pace_;
 };
 
 // The same ring, the other way round.
@@ -162,6 +165,7 @@ class Holders {
       firsts_.push_back(edges_.size());
       ExactOrder::Placed from = order.placed(polygon.outer.back());
       for (const RingVertex& vertex : polygon.outer) {
+        pace_.step(16);
         const ExactOrder::Placed to = order.placed(vertex);
         edges_.push_back({number, from, to});
         boxes.push_back(ExactOrder::box_of_edge(from, to));
@@ -217,6 +221,7 @@ class Holders {
 
   // A point is inside where it is below an odd number of edges. Nothing if it lies on an edge.
   std::optional<std::size_t> innermost(const RingVertex& vertex) {
+    pace_.step(64);
     const ExactOrder::Placed point = order_.placed(vertex);
     Box above = ExactOrder::box_of_edge(point, point);
     above.y1 = infinity;
@@ -277,6 +282,7 @@ class Holders {
   std::vector<std::size_t> firsts_;
   BoxTree tree_;
   std::vector<Index> below_;
+  Pace pace_;
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contributions.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -45,12 +46,15 @@ Rank cheapest_half_plane(const Operands& operands) {
     return a.edges[rank] * b.cones[rank] + b.edges[rank] * a.cones[rank];
   };
   std::uint64_t sum = 0;
+  Pace pace;
   for (Rank rank = 0; rank < half; ++rank) {
+    pace.step();
     sum += count(rank);
   }
   std::uint64_t least = sum;
   Rank best = 0;
   for (Rank first = 1; first < turn; ++first) {
+    pace.step();
     sum = sum + count((first + half - 1) % turn) - count(first - 1);
     if (sum < least) {
       least = sum;

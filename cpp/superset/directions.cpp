@@ -6,6 +6,7 @@
 
 #include "direction_key.hpp"
 #include "predicates.hpp"
+#include "task.hpp"
 
 namespace gcv {
 
@@ -47,7 +48,9 @@ Directions merge_directions(const Boundary& a, const Boundary& b, Tally& tally) 
   Rank rank = 0;
   Index la = 0;
   Index lb = 0;
+  Pace pace;
   for (; la < lines_a || lb < lines_b; ++rank) {
+    pace.step();
     const int order = la == lines_a   ? -1
                       : lb == lines_b ? 1
                                       : compare_lines(a, of_a.lines[la], b, of_b.lines[lb], tally);

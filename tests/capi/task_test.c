@@ -189,6 +189,35 @@ static void progress_is_reported(void) {
   gcv_polygon_destroy(small);
 }
 
+static int32_t make_a_polygon_once(void *context, uint64_t done, uint64_t estimate) {
+  int *const calls = context;
+  (void)done, (void)estimate;
+  if (++*calls == 1) {
+    gcv_polygon_destroy(star(15000, 3));
+    CHECK(*calls == 1);
+  }
+  return 0;
+}
+
+/* What is prepared for a question asks the caller, too, and is made anew after a cancel. What the
+   caller makes meanwhile does not ask. */
+static void preparations_are_cancelled(void) {
+  gcv_polygon *a = star(6000, 3), *b = star(6000, 5);
+  const double t[2] = {1, 2};
+  int8_t relation = 5;
+  int calls = 0;
+  struct reports reports;
+  gcv_options options = reporting(&reports, 5, 1);
+  CHECK_REFUSED(GCV_ERR_CANCELLED, "progress", gcv_relation(a, b, t, 1, &options, &relation));
+  CHECK(reports.count == 5 && reports.done == 0 && !reports.wrong && relation == 5);
+  options.progress = make_a_polygon_once;
+  options.progress_context = &calls;
+  CHECK_OK(gcv_relation(a, b, t, 1, &options, &relation));
+  CHECK(relation == GCV_OVERLAPPING && calls > 5);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 /* A bar that shows it does not stand at its end: only the last report may correct the estimate. */
 static void estimate_of_a_region_lasts(void) {
   gcv_polygon *large = star(100, 3);
@@ -462,6 +491,7 @@ int main(void) {
   many_threads_are_no_more();
   threads_are_checked();
   progress_is_reported();
+  preparations_are_cancelled();
   estimate_of_a_region_lasts();
   a_region_asks_often();
   share_of_a_sum_is_even();

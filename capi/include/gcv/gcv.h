@@ -406,7 +406,8 @@ typedef struct gcv_options {
    *  result is the same, to the bit, for every number. */
   int32_t threads;
   /** Reports progress, or NULL. Called at the start, at the end, and in between at most
-   *  every few thousand steps. Called only from the calling thread, in the default
+   *  every few thousand steps; now and then while polygons are prepared, too, with the
+   *  `done` of before. Called only from the calling thread, in the default
    *  floating-point environment. `done` is the number of steps done. `estimate` is a
    *  guess of the number of all steps, never below `done`. If it returns other than 0,
    *  the computation ends and returns GCV_ERR_CANCELLED. Must return: no longjmp. */
