@@ -8,6 +8,7 @@
 
 #include "exact_numbers.hpp"
 #include "numbers.hpp"
+#include "slope.hpp"
 
 namespace gcv {
 namespace {
@@ -155,6 +156,29 @@ TEST_F(Predicates, CrossingsAtNeighbouringFractions) {
     last = here;
     here = next;
   }
+}
+
+TEST_F(Predicates, SlopesAreComparedExactly) {
+  int equal = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const Point p0 = attack.point();
+    const Point p1 = attack.point();
+    const Point q0 = attack.point();
+    const Point q1 = attack.point();
+    const auto v = between(p0, p1);
+    const auto w = between(q0, q1);
+    const Rational along = v.x * w.x + v.y * w.y;
+    const Rational across = abs(cross(v, w));
+    double slope = std::abs(attack.number());
+    if (k % 2 == 0 && along > 0 && across < along * rational(0x1p1000)) {
+      slope = Rational(across / along).convert_to<double>();
+    }
+    const Rational rest = rational(slope) * along - across;
+    ASSERT_EQ(is_within_slope(p0, p1, q0, q1, slope, tally_), along > 0 && rest >= 0);
+    equal += along > 0 && rest == 0 ? 1 : 0;
+  }
+  EXPECT_GT(equal, attacks / 40);
 }
 
 TEST_F(Predicates, AllTiersAreUsed) {
