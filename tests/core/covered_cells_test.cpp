@@ -114,6 +114,7 @@ class Grid {
       const Point q = place();
       const RelativeLine line{p, q.x - p.x, q.y - p.y};
       const double end = cells_.reach(line, 0);
+      EXPECT_LE(end, 1);
       held += end;
       for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
         if (end > 0) {
