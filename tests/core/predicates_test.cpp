@@ -85,6 +85,26 @@ TEST_F(Predicates, CompareSumsIsExact) {
   }
 }
 
+TEST_F(Predicates, CompareSumsOfThreeIsExact) {
+  int equal = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    double x[6];
+    for (double& number : x) {
+      number = attack.number();
+    }
+    if (k % 3 == 0) {  // what is left cancels, but for roundings
+      x[5] = ((x[0] - x[3]) + (x[1] - x[4])) + x[2];
+      x[5] = std::isfinite(x[5]) ? x[5] : x[2];
+    }
+    const Rational difference = rational(x[0]) + rational(x[1]) + rational(x[2]) - rational(x[3]) -
+                                rational(x[4]) - rational(x[5]);
+    ASSERT_EQ(compare_sums(x[0], x[1], x[2], x[3], x[4], x[5], tally_), difference.sign());
+    equal += difference == 0 ? 1 : 0;
+  }
+  EXPECT_GT(equal, attacks / 10);
+}
+
 TEST_F(Predicates, CompareSumsIsExactAtTheEndOfTheRange) {
   constexpr double largest = std::numeric_limits<double>::max();
   constexpr double unit = 0x1p971;
