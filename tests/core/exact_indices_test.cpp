@@ -36,7 +36,7 @@ TEST(ExactIndices, AreThoseOfTheClosestEdges) {
       points.push_back({x, test::uniform(random, -8, 24) / 2.0});
     }
     // Moved and scaled by what doubles hold exactly.
-    const double move = test::uniform(random, -1024, 1024);
+    const double move = std::ldexp(test::uniform(random, -1024, 1024), 40);
     const double scale = std::ldexp(1.0, test::uniform(random, -900, 900));
     PointVector scaled_ring = ring;
     PointVector scaled_points = points;
@@ -70,23 +70,27 @@ TEST(ExactIndices, AreTheFirstOfAllThatAreAsClose) {
     const PointVector square{{-size, -size}, {size, -size}, {size, size}, {-size, size}};
     EXPECT_EQ(closest_edges(square, {{0, 0}}, task), (std::vector<std::size_t>{0}));
     EXPECT_EQ(closest_edges(square, {{size / 2, size / 2}}, task), (std::vector<std::size_t>{1}));
-    // A cross, whose inner corners are as close to its centre: eight edges.
-    PointVector cross;
-    for (const auto& [x, y] : {std::pair{3, -1},
-                               {3, 1},
-                               {1, 1},
-                               {1, 3},
-                               {-1, 3},
-                               {-1, 1},
-                               {-3, 1},
-                               {-3, -1},
-                               {-1, -1},
-                               {-1, -3},
-                               {1, -3},
-                               {1, -1}}) {
-      cross.push_back({x * size, y * size});
+  }
+}
+
+// A star whose twelve inner corners are as close to its centre: 24 edges.
+TEST(ExactIndices, AreTheFirstOfManyThatAreAsClose) {
+  PointVector star;
+  const auto turned = [](const Point& p, int quarters) {
+    return quarters == 0   ? p
+           : quarters == 1 ? Point{-p.y, p.x}
+           : quarters == 2 ? Point{-p.x, -p.y}
+                           : Point{p.y, -p.x};
+  };
+  for (const int quarters : {0, 1, 2, 3}) {
+    for (const Point& p : {Point{5, 0}, {16, 5}, {4, 3}, {7, 7}, {3, 4}, {3, 9}}) {
+      star.push_back(turned(p, quarters));
     }
-    EXPECT_EQ(closest_edges(cross, {{0, 0}}, task), (std::vector<std::size_t>{1}));
+  }
+  Task task;
+  for (std::size_t first = 0; first < star.size(); ++first) {
+    EXPECT_EQ(closest_edges(star, {{0, 0}}, task), (std::vector<std::size_t>{0}));
+    std::rotate(star.begin(), star.begin() + 1, star.end());
   }
 }
 
