@@ -94,6 +94,19 @@ TEST(ExactIndices, AreTheFirstOfManyThatAreAsClose) {
   }
 }
 
+TEST(ExactIndices, OfThinRings) {
+  Task task;
+  for (const double x : {-11.0, -1.0, 0.0, 10.0}) {
+    const PointVector ring{{x, 0}, {x + 1, 0}, {x + 2, 0}, {x + 2, 1e-200}, {x, 1e-200}};
+    PointVector upright;
+    for (const Point& p : ring) {
+      upright.push_back({-p.y, p.x});
+    }
+    EXPECT_EQ(closest_edges(ring, {{x + 2.5, 5e-201}}, task), (std::vector<std::size_t>{1}));
+    EXPECT_EQ(closest_edges(upright, {{-5e-201, x + 2.5}}, task), (std::vector<std::size_t>{1}));
+  }
+}
+
 TEST(ExactIndices, AskTheCallerOnTheWay) {
   int calls = 0;
   const auto count = [](void* context, std::uint64_t, std::uint64_t) {
