@@ -199,6 +199,23 @@ static void left_out(void) {
 }
 
 /* B + (-A) + a0 is the no-fit region of B and A. The reference point is added exactly. */
+/* Two holes at one even number beyond 2^53, which their vertices are rounded to. */
+static void holes_at_one_double(void) {
+  static const struct rings holes = {
+      3, {4, 4, 4}, {0,     0,   12,    0,   12,  4, 0,     4, 8.125, 1,   9.375, 1,
+                     9.375, 2.5, 8.125, 2.5, 9.5, 1, 10.75, 1, 10.75, 2.5, 9.5,   2.5}};
+  const double x = 0x1p53 - 8;
+  gcv_region_part parts[MOST_PARTS];
+  size_t count = 0;
+  gcv_polygon *a = POLYGON(x, 0, x + 1, 0, x + 1, 1, x, 1), *b = polygon_of_rings(&holes);
+  gcv_region *region = region_of_sum(a, b);
+  CHECK_OK(gcv_region_exact_parts(region, parts, MOST_PARTS, &count));
+  CHECK(count == 3);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 /* The walk along the outer face counts as it does alone, and what is found inside counts too. */
 static void counts(void) {
   gcv_stats of_face = {sizeof of_face, 0, 0, 0, 0, 0, 0, 0}, of_outer = of_face, of_all = of_face;
@@ -423,6 +440,7 @@ int main(void) {
   order();
   order_of_touching_holes();
   left_out();
+  holes_at_one_double();
   counts();
   references();
   bad_references();
