@@ -199,6 +199,49 @@ static void left_out(void) {
 }
 
 /* B + (-A) + a0 is the no-fit region of B and A. The reference point is added exactly. */
+/* Two holes at one even number beyond 2^53, which their vertices are rounded to. */
+static void holes_at_one_double(void) {
+  static const struct rings holes = {
+      3, {4, 4, 4}, {0,     0,   12,    0,   12,  4, 0,     4, 8.125, 1,   9.375, 1,
+                     9.375, 2.5, 8.125, 2.5, 9.5, 1, 10.75, 1, 10.75, 2.5, 9.5,   2.5}};
+  const double x = 0x1p53 - 8;
+  gcv_region_part parts[MOST_PARTS];
+  size_t count = 0;
+  gcv_polygon *a = POLYGON(x, 0, x + 1, 0, x + 1, 1, x, 1), *b = polygon_of_rings(&holes);
+  gcv_region *region = region_of_sum(a, b);
+  CHECK_OK(gcv_region_exact_parts(region, parts, MOST_PARTS, &count));
+  CHECK(count == 3);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
+/* The walk along the outer face counts as it does alone, and what is found inside counts too. */
+static void counts(void) {
+  gcv_stats of_face = {sizeof of_face, 0, 0, 0, 0, 0, 0, 0}, of_outer = of_face, of_all = of_face;
+  gcv_polygon *a = polygon_of_rings(&frame), *b = SQUARE(1);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_outer_face *face = NULL;
+  gcv_region *outer = NULL, *all = region_of_sum(a, b);
+  options.leave_out = GCV_LEAVE_OUT_HOLES | GCV_LEAVE_OUT_FITS;
+  CHECK_OK(gcv_minkowski_sum(a, b, NULL, &face));
+  CHECK_OK(gcv_minkowski_sum_region(a, b, &options, &outer));
+  CHECK_OK(gcv_outer_face_stats(face, &of_face));
+  CHECK_OK(gcv_region_stats(outer, &of_outer));
+  CHECK_OK(gcv_region_stats(all, &of_all));
+  CHECK(of_outer.walk_steps == of_face.walk_steps);
+  CHECK(of_outer.candidate_edges == of_face.candidate_edges);
+  CHECK(of_all.walk_steps >= of_outer.walk_steps + 4 && of_all.walk_steps < 1000);
+  CHECK(of_all.candidate_edges > of_outer.candidate_edges && of_all.candidate_edges < 1000);
+  CHECK(of_all.predicates_filtered > of_outer.predicates_filtered);
+  CHECK(of_all.predicates_filtered < 10000 && of_all.predicates_rational == 0);
+  gcv_outer_face_destroy(face);
+  gcv_region_destroy(outer);
+  gcv_region_destroy(all);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 static void references(void) {
   const double point[2] = {10, -1};
   gcv_polygon *a = SQUARE(1), *b = polygon_of_rings(&frame);
@@ -397,6 +440,8 @@ int main(void) {
   order();
   order_of_touching_holes();
   left_out();
+  holes_at_one_double();
+  counts();
   references();
   bad_references();
   roundings();

@@ -69,6 +69,56 @@ TEST(ExactRing, SidesOfVertices) {
   }
 }
 
+// Crossings of all lines of superset edges, many of which lie on lines of other edges.
+TEST(ExactRing, SidesOfCrossingsOfAllEdges) {
+  Random random(94);
+  int on_line = 0;
+  for (int k = 0; k < 8; ++k) {
+    const gcv::Boundary a = make_ring(test::random_small_integer_polygon(random, 4, 4), "a");
+    const gcv::Boundary b = make_ring(test::random_histogram(random, 2, 4), "b");
+    std::vector<EdgeName> names;
+    for (Index i = 0; i < a.size(); ++i) {
+      for (Index j = 0; j < b.size(); ++j) {
+        names.push_back({EdgeName::translated, i, j});
+        names.push_back({EdgeName::corner, i, j});
+      }
+    }
+    // Small integers, and so are all products.
+    const auto cross = [](const Fractions& v, const Fractions& w) {
+      return Rational(v.x * w.y - v.y * w.x);
+    };
+    const auto origin = [](const SumEdge& e) {
+      return Fractions{e.origin.a.x + e.origin.b.x, e.origin.a.y + e.origin.b.y};
+    };
+    const auto direction = [](const SumEdge& e) { return Fractions{e.dx, e.dy}; };
+    const auto between = [](const Fractions& p, const Fractions& q) {
+      return Fractions{q.x - p.x, q.y - p.y};
+    };
+    Tally tally;
+    for (const EdgeName& first : names) {
+      for (const EdgeName& second : names) {
+        const SumEdge s = coordinates(a, b, first);
+        const SumEdge t = coordinates(a, b, second);
+        const Rational turn = cross(direction(s), direction(t));
+        if (turn == 0) {
+          continue;
+        }
+        const Fractions o = origin(s);
+        const Rational lambda = cross(between(o, origin(t)), direction(t)) / turn;
+        const Fractions p{o.x + lambda * s.dx, o.y + lambda * s.dy};
+        const RingVertex vertex = RingVertex::crossing(first, second);
+        for (const EdgeName& name : names) {
+          const SumEdge line = coordinates(a, b, name);
+          const int side = cross(direction(line), between(origin(line), p)).sign();
+          ASSERT_EQ(side_of_vertex(a, b, line, vertex, tally), side);
+          on_line += side == 0 ? 1 : 0;
+        }
+      }
+    }
+  }
+  EXPECT_GT(on_line, 10000);
+}
+
 // Vertices next to lines, by a few units in the last place, far from the origin and next to it.
 TEST(ExactRing, SidesOfVerticesNextToLines) {
   Random random(92);

@@ -154,6 +154,97 @@ TEST(Gap, CrossingsAlongAxesAreNearest) {
   EXPECT_GT(tested, attacks / 2);
 }
 
+TEST(Gap, DistancesAreNearest) {
+  Random random(423);
+  Tally tally;
+  int equal = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random);
+    const Gap gap = gap_along(attack, random, static_cast<Along>(test::uniform(random, 0, 2)));
+    if (!is_edge(gap.edge)) {
+      continue;
+    }
+    const Rational square = square_of(gap);
+    const double nearest = nearest_gap(gap, tally);
+    ASSERT_TRUE(test::is_nearest_root(nearest, square));
+    ASSERT_EQ(is_zero(gap, tally), square == 0);
+    for (const double distance :
+         {nearest, std::nextafter(nearest, 0.0), std::abs(attack.number())}) {
+      if (std::isfinite(distance)) {
+        const int order = Rational(square - rational(distance) * rational(distance)).sign();
+        ASSERT_EQ(compare_gap(gap, distance, tally), order);
+        equal += order == 0 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(equal, attacks / 10);
+}
+
+// The largest double that is not above the parameter, which is often one itself.
+TEST(Gap, ParametersAreRoundedDown) {
+  Random random(424);
+  Tally tally;
+  int exact = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random);
+    const SumEdge s = attack.edge();
+    SumEdge t = attack.edge();
+    if (k % 16 == 0) {
+      t.origin = s.origin;
+    }
+    const auto cross_with_t = [&](const Rational& x, const Rational& y) {
+      return Rational(x * (rational(t.to.y) - rational(t.from.y)) -
+                      y * (rational(t.to.x) - rational(t.from.x)));
+    };
+    const RationalPoint from(s.origin);
+    const RationalPoint to(t.origin);
+    const Rational d =
+        cross_with_t(rational(s.to.x) - rational(s.from.x), rational(s.to.y) - rational(s.from.y));
+    const Rational n = cross_with_t(to.x - from.x, to.y - from.y);
+    if (d == 0 || n.sign() * d.sign() < 0 ||
+        abs(n) > abs(d) * rational(std::numeric_limits<double>::max())) {
+      continue;
+    }
+    const Rational lambda = n / d;
+    const double below = parameter_below(s, t, tally);
+    ASSERT_LE(rational(below), lambda);
+    const double next = std::nextafter(below, std::numeric_limits<double>::infinity());
+    ASSERT_TRUE(!std::isfinite(next) || rational(next) > lambda);
+    exact += rational(below) == lambda ? 1 : 0;
+  }
+  EXPECT_GT(exact, attacks / 20);
+}
+
+TEST(Gap, UnitVectorsAreWithinAnUlp) {
+  Random random(425);
+  Tally tally;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random);
+    const SumPoint from = attack.sum_point();
+    SumPoint to = attack.sum_point();
+    if (k % 3 == 0) {
+      to.c = attack.point();
+    }
+    const RationalPoint p(from);
+    const RationalPoint q(to);
+    const Rational x = q.x - p.x;
+    const Rational y = q.y - p.y;
+    if (x == 0 && y == 0) {
+      continue;
+    }
+    const auto is_within_an_ulp = [&](double unit, const Rational& coordinate) {
+      const double size = std::abs(unit);
+      const Rational square = coordinate * coordinate / (x * x + y * y);
+      const Rational below = rational(std::nextafter(size, 0.0));
+      const Rational above = rational(std::nextafter(size, 2.0));
+      return unit * coordinate.sign() >= 0 && below * below <= square && square <= above * above;
+    };
+    const Point unit = nearest_unit_vector(from, to, tally);
+    ASSERT_TRUE(is_within_an_ulp(unit.x, x));
+    ASSERT_TRUE(is_within_an_ulp(unit.y, y));
+  }
+}
+
 TEST(Gap, UnitVectorsAlongAxes) {
   Tally tally;
   for (const double size : {5e-324, 1e-200, 0.1, 3.0, 1.7e308}) {

@@ -200,6 +200,45 @@ TEST(Units, AreDistancesToTheNextDouble) {
   }
 }
 
+// The square of the distance of p from the segment ab.
+Rational square_of_distance(const Exact& p, const Exact& a, const Exact& b) {
+  const auto dot = [](const Exact& v, const Exact& w) { return Rational(v.x * w.x + v.y * w.y); };
+  const Exact d = b - a;
+  const Rational along = dot(p - a, d);
+  const Rational square = dot(d, d);
+  const Rational t = along <= 0 ? Rational(0) : along >= square ? Rational(1) : along / square;
+  const Exact off = p - (a + t * d);
+  return dot(off, off);
+}
+
+TEST(Units, BoundDistancesFromSegments) {
+  Random random(6);
+  int inside = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const int exponent = k % 2 == 0 ? 0 : uniform(random, -1070, 1000);
+    const auto coordinate = [&] {
+      const double x = uniform(random, -30, 30);
+      return std::ldexp(uniform(random, 0, 1) == 0 ? x : x / 7, exponent);
+    };
+    const auto point = [&] {
+      const double x = coordinate();
+      return Point{x, coordinate()};
+    };
+    const Point p = point();
+    const Point a = point();
+    const Point b = k % 10 == 0 ? a : point();
+    const Point units = units_in_last_place({p, a, b});
+    const double unit = std::max(units.x, units.y);
+    const Rational bound = rational(distance_bound(p, a, b, unit));
+    const Rational square = square_of_distance(exact(p), exact(a), exact(b));
+    ASSERT_GE(bound * bound, square);
+    const Rational rest = bound - 32 * rational(unit);
+    ASSERT_TRUE(rest <= 0 || rest * rest <= square);
+    inside += rest > 0 ? 1 : 0;
+  }
+  EXPECT_GT(inside, 3000);
+}
+
 // -------------------------------------------------------------------------------- areas --
 
 void expect_area(const PointVector& ring) {

@@ -8,6 +8,7 @@
 
 #include "exact_numbers.hpp"
 #include "numbers.hpp"
+#include "slope.hpp"
 
 namespace gcv {
 namespace {
@@ -84,6 +85,26 @@ TEST_F(Predicates, CompareSumsIsExact) {
   }
 }
 
+TEST_F(Predicates, CompareSumsOfThreeIsExact) {
+  int equal = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    double x[6];
+    for (double& number : x) {
+      number = attack.number();
+    }
+    if (k % 3 == 0) {  // what is left cancels, but for roundings
+      x[5] = ((x[0] - x[3]) + (x[1] - x[4])) + x[2];
+      x[5] = std::isfinite(x[5]) ? x[5] : x[2];
+    }
+    const Rational difference = rational(x[0]) + rational(x[1]) + rational(x[2]) - rational(x[3]) -
+                                rational(x[4]) - rational(x[5]);
+    ASSERT_EQ(compare_sums(x[0], x[1], x[2], x[3], x[4], x[5], tally_), difference.sign());
+    equal += difference == 0 ? 1 : 0;
+  }
+  EXPECT_GT(equal, attacks / 10);
+}
+
 TEST_F(Predicates, CompareSumsIsExactAtTheEndOfTheRange) {
   constexpr double largest = std::numeric_limits<double>::max();
   constexpr double unit = 0x1p971;
@@ -155,6 +176,29 @@ TEST_F(Predicates, CrossingsAtNeighbouringFractions) {
     last = here;
     here = next;
   }
+}
+
+TEST_F(Predicates, SlopesAreComparedExactly) {
+  int equal = 0;
+  for (int k = 0; k < attacks; ++k) {
+    Attack attack(random_);
+    const Point p0 = attack.point();
+    const Point p1 = attack.point();
+    const Point q0 = attack.point();
+    const Point q1 = attack.point();
+    const auto v = between(p0, p1);
+    const auto w = between(q0, q1);
+    const Rational along = v.x * w.x + v.y * w.y;
+    const Rational across = abs(cross(v, w));
+    double slope = std::abs(attack.number());
+    if (k % 2 == 0 && along > 0 && across < along * rational(0x1p1000)) {
+      slope = Rational(across / along).convert_to<double>();
+    }
+    const Rational rest = rational(slope) * along - across;
+    ASSERT_EQ(is_within_slope(p0, p1, q0, q1, slope, tally_), along > 0 && rest >= 0);
+    equal += along > 0 && rest == 0 ? 1 : 0;
+  }
+  EXPECT_GT(equal, attacks / 40);
 }
 
 TEST_F(Predicates, AllTiersAreUsed) {

@@ -17,6 +17,21 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 
 inline Rational rational(double x) { return Rational(x); }
 
+// Halfway from a double, not below 0, to the next one.
+inline Rational halfway_up(double x) {
+  const double next = std::nextafter(x, std::numeric_limits<double>::infinity());
+  return std::isfinite(next) ? Rational((rational(x) + rational(next)) / 2)
+                             : Rational(rational(x) + rational(0x1p970));
+}
+
+// Is x the double nearest to the root of a number? Of two that are as near, either will do.
+inline bool is_nearest_root(double x, const Rational& square) {
+  const bool is_finite = std::isfinite(x);
+  const Rational above = is_finite ? halfway_up(x) : Rational(0);
+  const Rational below = x > 0 ? halfway_up(std::nextafter(x, 0.0)) : Rational(0);
+  return x >= 0 && below * below <= square && (!is_finite || square <= above * above);
+}
+
 // A double of one of many kinds: small integers, grids, neighbours of each other, any
 // exponent, subnormal numbers, the largest ones.
 inline double attacking_double(Random& random) {
