@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "cover.hpp"
 #include "exact_pieces.hpp"
 #include "exact_rings.hpp"
 #include "generators.hpp"
@@ -193,6 +194,31 @@ TEST(WitnessSearch, PassesOverCoveredEdgesAlone) {
   }
   EXPECT_GT(visited_edges, 200U);
   EXPECT_GT(passed_over, 10U);
+}
+
+// A bit along the way from a place on the boundary of the open sum lies outside of it.
+TEST(EdgeCover, FindsWaysOff) {
+  Random random(364);
+  std::size_t ways = 0;
+  for (int k = 0; k < 12; ++k) {
+    Example example = random_example(random, k);
+    const Operands& operands = example.operands;
+    EdgeCover cover(operands, example.tally);
+    for (Index i = 0; i < example.a.size(); ++i) {
+      for (Index j = 0; j < example.b.size(); ++j) {
+        const Exact place = test::exact(operands.relative(i, j));
+        if (example.covers(place)) {
+          continue;
+        }
+        for (const Point& way :
+             cover.ways_off(operands.translated(i, j), Place::of(VertexSum{i, j}))) {
+          ASSERT_FALSE(example.covers(place + Rational(0x1p-30) * test::exact(way)));
+          ++ways;
+        }
+      }
+    }
+  }
+  EXPECT_GT(ways, 100U);
 }
 
 }  // namespace
