@@ -194,6 +194,16 @@ TEST(Region, CutsRingsThatTouchThemselves) {
             "hole 0: 5/1 5/1, 5/1 8/1, 8/1 8/1, 8/1 5/1\n");
 }
 
+// Its first vertex does not tell in which face it lies.
+TEST(Region, HasAnIslandThatTouchesTheWallOnTheLeft) {
+  const PolygonRings container{{{0, 0}, {20, 0}, {20, 20}, {0, 20}},
+                               {{2, 10}, {4, 8}, {6, 10}, {4, 12}}};
+  const PolygonRings part{{{0, -1}, {1, 0}, {0, 1}, {-1, 0}}};
+  EXPECT_EQ(test::text_of(test::fit_region(container, part).exact),
+            "outer 0: 1/1 1/1, 19/1 1/1, 19/1 19/1, 1/1 19/1\n"
+            "hole 0: 1/1 10/1, 4/1 13/1, 7/1 10/1, 4/1 7/1\n");
+}
+
 // Round the large island three triples of small ones, each round a face that ends in a vertex of
 // the large one: all vertices of an island are on rings of faces that do not hold it.
 TEST(Region, FindsTheFaceOfAnIslandWhoseVerticesAreOnOtherFaces) {
