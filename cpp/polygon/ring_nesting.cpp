@@ -39,6 +39,15 @@ struct Passage {
   Point to;
 };
 
+template <class Value, class Key>
+void sort_by(std::vector<Value>& values, Key key) {
+  Pace pace;
+  std::sort(values.begin(), values.end(), [&](const Value& p, const Value& q) {
+    pace.step();
+    return key(p) < key(q);
+  });
+}
+
 class Nesting {
  public:
   Nesting(std::span<const Boundary* const> rings, const char* name)
@@ -217,11 +226,7 @@ class Nesting {
         spans.push_back({left, right, e});
       }
     }
-    Pace pace;
-    std::sort(spans.begin(), spans.end(), [&](const Span& p, const Span& q) {
-      pace.step();
-      return p.left.x < q.left.x;
-    });
+    sort_by(spans, [](const Span& span) { return span.left.x; });
     return spans;
   }
 
@@ -236,15 +241,12 @@ class Nesting {
     const std::vector<Span> spans = spans_by_left();
     std::vector<std::size_t> by_right(spans.size());
     std::iota(by_right.begin(), by_right.end(), std::size_t{0});
-    Pace pace;
-    std::sort(by_right.begin(), by_right.end(), [&](std::size_t i, std::size_t j) {
-      pace.step();
-      return spans[i].right.x < spans[j].right.x;
-    });
+    sort_by(by_right, [&](std::size_t k) { return spans[k].right.x; });
     Sweep sweep(FromBelow{tally_});
     std::vector<Sweep::iterator> places(spans.size(), sweep.end());
     auto ending = by_right.begin();
     std::size_t begun = 0;
+    Pace pace;
     for (const Ray& ray : rays) {
       pace.step(16);
       for (; ending != by_right.end() && spans[*ending].right.x <= ray.from.x; ++ending) {
