@@ -33,14 +33,14 @@ class NearestPairs {
   // The start of each of the edges and the other edge.
   bool meet_edges_of_a(Index block, Index j) {
     const Index first = ChainTree::width * block;
-    add(relative_.edges_of_a(block), FourEnds::of(relative_.edge_of_b(j)), placed_.a, first,
-        [&](Index lane) { return std::pair(first + lane, j); });
+    add(relative_.edges_of_a(block), RelativePair::four_times(relative_.edge_of_b(j)), placed_.a,
+        first, [&](Index lane) { return std::pair(first + lane, j); });
     return false;
   }
   bool meet_edges_of_b(Index i, Index block) {
     const Index first = ChainTree::width * block;
-    add(FourEnds::of(relative_.edge_of_a(i)), relative_.edges_of_b(block), placed_.b, first,
-        [&](Index lane) { return std::pair(i, first + lane); });
+    add(RelativePair::four_times(relative_.edge_of_a(i)), relative_.edges_of_b(block), placed_.b,
+        first, [&](Index lane) { return std::pair(i, first + lane); });
     return false;
   }
 
@@ -75,8 +75,8 @@ class NearestPairs {
         add({kind, i, j}, each[lane]);
       });
     };
-    add_all(ContactKind::edge_vertex, RelativePair::squares_of_distances(p, q.from_x, q.from_y));
-    add_all(ContactKind::vertex_edge, RelativePair::squares_of_distances(q, p.from_x, p.from_y));
+    add_all(ContactKind::edge_vertex, RelativePair::square_of_distance(p, q.from_x, q.from_y));
+    add_all(ContactKind::vertex_edge, RelativePair::square_of_distance(q, p.from_x, p.from_y));
   }
   void add(const ContactName& name, double square) {
     if (square > limit_) {

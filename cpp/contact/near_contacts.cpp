@@ -47,14 +47,14 @@ class NearContacts {
     const RelativePair::Ends q = relative_.edge_of_b(j);
     const bool q_is_admitted = q_is_convex && admits(placed_.a, i, placed_.b, j);
     const bool p_is_admitted = p_is_convex && admits(placed_.b, j, placed_.a, i);
-    if (q_is_admitted && !(RelativePair::square_of_distance(p, q.from) > limit_)) {
+    if (q_is_admitted && !(RelativePair::square_of_distance(p, q.from_x, q.from_y) > limit_)) {
       add({ContactKind::edge_vertex, i, j});
     }
-    if (p_is_admitted && !(RelativePair::square_of_distance(q, p.from) > limit_)) {
+    if (p_is_admitted && !(RelativePair::square_of_distance(q, p.from_x, p.from_y) > limit_)) {
       add({ContactKind::vertex_edge, i, j});
     }
     if (p_is_convex && q_is_convex &&
-        !(RelativePair::square(q.from.x - p.from.x, q.from.y - p.from.y) > limit_) &&
+        !(RelativePair::square(q.from_x - p.from_x, q.from_y - p.from_y) > limit_) &&
         (q_is_admitted || p_is_admitted ||
          admits(placed_.a, placed_.a.boundary.previous(i), placed_.b, j) ||
          admits(placed_.b, placed_.b.boundary.previous(j), placed_.a, i))) {

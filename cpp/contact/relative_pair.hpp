@@ -24,37 +24,35 @@ class RelativePair {
   // A power of two by which all lengths are multiplied, so that their squares are in range.
   [[nodiscard]] double scale() const { return scale_; }
 
-  // The start of an edge of A or B, and its end.
-  struct Ends {
-    Point from;
-    Point to;
+  // The start of an edge of A or B, and its end; or those of four edges.
+  template <class Number>
+  struct EndsOf {
+    Number from_x;
+    Number from_y;
+    Number to_x;
+    Number to_y;
   };
+  using Ends = EndsOf<double>;
+  using FourEnds = EndsOf<SimdDouble>;
+
   [[nodiscard]] Ends edge_of_a(Index i) const {
     const Boundary& a = placed_.a.boundary;
-    return {scaled(a.relative(i)), scaled(a.relative(placed_.a.next(i)))};
+    return scaled(a.relative(i), a.relative(placed_.a.next(i)), {0, 0});
   }
   [[nodiscard]] Ends edge_of_b(Index j) const {
     const Boundary& b = placed_.b.boundary;
-    return {scaled(moved(b.relative(j))), scaled(moved(b.relative(placed_.b.next(j))))};
+    return scaled(b.relative(j), b.relative(placed_.b.next(j)), offset_);
   }
-
-  // Four edges, or one four times, and four points.
-  struct FourEnds {
-    SimdDouble from_x;
-    SimdDouble from_y;
-    SimdDouble to_x;
-    SimdDouble to_y;
-
-    static FourEnds of(const Ends& ends) {
-      return {SimdDouble::of(ends.from.x), SimdDouble::of(ends.from.y), SimdDouble::of(ends.to.x),
-              SimdDouble::of(ends.to.y)};
-    }
-  };
+  // The edges of a block of those over edges.
   [[nodiscard]] FourEnds edges_of_a(Index block) const {
-    return scaled(last_blocks(placed_.a)[block], {0, 0});
+    return scaled(blocks_of_edges(placed_.a)[block], {0, 0});
   }
   [[nodiscard]] FourEnds edges_of_b(Index block) const {
-    return scaled(last_blocks(placed_.b)[block], offset_);
+    return scaled(blocks_of_edges(placed_.b)[block], offset_);
+  }
+  static FourEnds four_times(const Ends& edge) {
+    return {SimdDouble::of(edge.from_x), SimdDouble::of(edge.from_y), SimdDouble::of(edge.to_x),
+            SimdDouble::of(edge.to_y)};
   }
 
   // The squares of the distances of a box from the children of a node.
@@ -70,31 +68,19 @@ class RelativePair {
 
   static double square(double x, double y) { return x * x + y * y; }
   // Of the distance of a point from a segment.
-  static double square_of_distance(const Ends& segment, const Point& p) {
-    const double dx = segment.to.x - segment.from.x;
-    const double dy = segment.to.y - segment.from.y;
-    const double x = p.x - segment.from.x;
-    const double y = p.y - segment.from.y;
-    const double length = square(dx, dy);
-    const double along = dx * x + dy * y;
-    if (along > 0 && along < length) {
-      const double height = dx * y - dy * x;
-      return height * (height / length);
-    }
-    return along <= 0 ? square(x, y) : square(p.x - segment.to.x, p.y - segment.to.y);
-  }
-  static SimdDouble squares_of_distances(const FourEnds& segments, const SimdDouble& px,
-                                         const SimdDouble& py) {
-    const SimdDouble dx = segments.to_x - segments.from_x;
-    const SimdDouble dy = segments.to_y - segments.from_y;
-    const SimdDouble x = px - segments.from_x;
-    const SimdDouble y = py - segments.from_y;
-    const SimdDouble end_x = px - segments.to_x;
-    const SimdDouble end_y = py - segments.to_y;
-    const SimdDouble length = dx * dx + dy * dy;
-    const SimdDouble along = dx * x + dy * y;
-    const SimdDouble height = dx * y - dy * x;
-    const SimdDouble not_from_start =
+  template <class Number>
+  static Number square_of_distance(const EndsOf<Number>& segment, const Number& px,
+                                   const Number& py) {
+    const Number dx = segment.to_x - segment.from_x;
+    const Number dy = segment.to_y - segment.from_y;
+    const Number x = px - segment.from_x;
+    const Number y = py - segment.from_y;
+    const Number end_x = px - segment.to_x;
+    const Number end_y = py - segment.to_y;
+    const Number length = dx * dx + dy * dy;
+    const Number along = dx * x + dy * y;
+    const Number height = dx * y - dy * x;
+    const Number not_from_start =
         select(along < length, height * (height / length), end_x * end_x + end_y * end_y);
     return select(along > 0, not_from_start, x * x + y * y);
   }
@@ -105,16 +91,22 @@ class RelativePair {
   }
 
  private:
-  [[nodiscard]] Point moved(const Point& p) const { return {p.x + offset_.x, p.y + offset_.y}; }
-  [[nodiscard]] Point scaled(const Point& p) const { return {scale_ * p.x, scale_ * p.y}; }
+  static double select(bool is_first, double p, double q) { return is_first ? p : q; }
+  static SimdDouble select(const DoubleMask& mask, const SimdDouble& p, const SimdDouble& q) {
+    return gcv::select(mask, p, q);
+  }
+
+  [[nodiscard]] Ends scaled(const Point& from, const Point& to, const Point& offset) const {
+    return {scale_ * (from.x + offset.x), scale_ * (from.y + offset.y), scale_ * (to.x + offset.x),
+            scale_ * (to.y + offset.y)};
+  }
   [[nodiscard]] FourEnds scaled(const SegmentBlock& edges, const Point& offset) const {
     return {scale_ * (SimdDouble::load(edges.x0) + offset.x),
             scale_ * (SimdDouble::load(edges.y0) + offset.y),
             scale_ * (SimdDouble::load(edges.x1) + offset.x),
             scale_ * (SimdDouble::load(edges.y1) + offset.y)};
   }
-  // Those of edges.
-  static const SweptSphereBlock* last_blocks(const PlacedPolygon& polygon) {
+  static const SweptSphereBlock* blocks_of_edges(const PlacedPolygon& polygon) {
     const ChainIndex& index = polygon.boundary.index();
     return index.spheres.data() + index.tree.first_block.back();
   }

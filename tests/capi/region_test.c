@@ -198,7 +198,6 @@ static void left_out(void) {
   gcv_polygon_destroy(b);
 }
 
-/* B + (-A) + a0 is the no-fit region of B and A. The reference point is added exactly. */
 /* Two holes at one even number beyond 2^53, which their vertices are rounded to. */
 static void holes_at_one_double(void) {
   static const struct rings holes = {
@@ -242,6 +241,7 @@ static void counts(void) {
   gcv_polygon_destroy(b);
 }
 
+/* B + (-A) + a0 is the no-fit region of B and A. The reference point is added exactly. */
 static void references(void) {
   const double point[2] = {10, -1};
   gcv_polygon *a = SQUARE(1), *b = polygon_of_rings(&frame);

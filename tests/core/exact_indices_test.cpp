@@ -57,7 +57,7 @@ TEST(ExactIndices, AreThoseOfTheClosestEdges) {
         return square_of_distance(points[n], ring[edge], ring[cyclic_next(edge, ring.size())]);
       };
       for (std::size_t edge = 0; edge < ring.size(); ++edge) {
-        ASSERT_LE(square_of(found[n]), square_of(edge) + 1e-9);
+        ASSERT_LE(square_of(found[n]), square_of(edge));
       }
     }
   }

@@ -14,35 +14,20 @@ using test::Attack;
 using test::Random;
 using test::Rational;
 using test::rational;
+using test::RationalPoint;
 
 constexpr int attacks = 6000;
 
-struct RationalPoint {
-  Rational x;
-  Rational y;
-};
+RationalPoint direction(const SumEdge& s) { return between(rational(s.from), rational(s.to)); }
 
-RationalPoint between(const RationalPoint& p, const RationalPoint& q) {
-  return {q.x - p.x, q.y - p.y};
-}
-RationalPoint exact(const Point& p) { return {rational(p.x), rational(p.y)}; }
-RationalPoint exact(const SumPoint& p) {
-  return {rational(p.a.x) + rational(p.b.x) + rational(p.c.x),
-          rational(p.a.y) + rational(p.b.y) + rational(p.c.y)};
-}
-Rational cross(const RationalPoint& v, const RationalPoint& w) { return v.x * w.y - v.y * w.x; }
-Rational dot(const RationalPoint& v, const RationalPoint& w) { return v.x * w.x + v.y * w.y; }
-
-RationalPoint direction(const SumEdge& s) { return between(exact(s.from), exact(s.to)); }
-
-RationalPoint exact(const ExactPoint& p) {
+RationalPoint rational(const ExactPoint& p) {
   if (p.is_sum) {
-    return exact(p.sum);
+    return rational(p.sum);
   }
-  const RationalPoint origin = exact(p.s.origin);
+  const RationalPoint origin = rational(p.s.origin);
   const RationalPoint d = direction(p.s);
   const RationalPoint e = direction(p.t);
-  const Rational lambda = cross(between(origin, exact(p.t.origin)), e) / cross(d, e);
+  const Rational lambda = cross(between(origin, rational(p.t.origin)), e) / cross(d, e);
   return {origin.x + lambda * d.x, origin.y + lambda * d.y};
 }
 
@@ -87,7 +72,7 @@ class ExactPoints : public ::testing::Test {
 TEST_F(ExactPoints, AreComparedWithDoubles) {
   attack([&](const ExactPoint& p, const ExactPoint&, Attack& attack) {
     const Point shift = test::uniform(random_, 0, 1) == 0 ? Point{0, 0} : attack.point();
-    const RationalPoint place = exact(p);
+    const RationalPoint place = rational(p);
     Point q = attack.point();
     if (const Point near = nearest_point(p, shift, tally_);
         test::uniform(random_, 0, 1) == 0 && std::isfinite(near.x) && std::isfinite(near.y)) {
@@ -103,14 +88,14 @@ TEST_F(ExactPoints, AreComparedWithDoubles) {
 TEST_F(ExactPoints, LieOnSidesOfLines) {
   attack([&](const ExactPoint& p, const ExactPoint& q, Attack& attack) {
     const SumEdge s = q.is_sum ? attack.edge() : q.t;
-    const Rational side_of_p = cross(direction(s), between(exact(s.origin), exact(p)));
+    const Rational side_of_p = cross(direction(s), between(rational(s.origin), rational(p)));
     ASSERT_EQ(side(s, p, tally_), side_of_p.sign());
   });
 }
 
 TEST_F(ExactPoints, AreInLexicographicOrder) {
   attack([&](const ExactPoint& p, const ExactPoint& q, Attack& /*attack*/) {
-    const RationalPoint way = between(exact(q), exact(p));
+    const RationalPoint way = between(rational(q), rational(p));
     const int order = way.x != 0 ? way.x.sign() : way.y.sign();
     ASSERT_EQ(compare_lexicographically(p, q, tally_), order);
     ASSERT_EQ(compare_lexicographically(q, p, tally_), -order);
@@ -120,15 +105,16 @@ TEST_F(ExactPoints, AreInLexicographicOrder) {
 TEST_F(ExactPoints, AreInTheOrderAlongADirection) {
   attack([&](const ExactPoint& p, const ExactPoint& q, Attack& attack) {
     const Point d = attack.point();
-    ASSERT_EQ(compare_along(d, p, q, tally_), dot(exact(d), between(exact(q), exact(p))).sign());
+    ASSERT_EQ(compare_along(d, p, q, tally_),
+              dot(rational(d), between(rational(q), rational(p))).sign());
   });
 }
 
 TEST_F(ExactPoints, HaveDistancesFromAPoint) {
   attack([&](const ExactPoint& p, const ExactPoint& q, Attack& attack) {
     const Point from = attack.point();
-    const RationalPoint to_p = between(exact(from), exact(p));
-    const RationalPoint to_q = between(exact(from), exact(q));
+    const RationalPoint to_p = between(rational(from), rational(p));
+    const RationalPoint to_q = between(rational(from), rational(q));
     ASSERT_EQ(compare_distances(p, q, from, tally_),
               Rational(dot(to_p, to_p) - dot(to_q, to_q)).sign());
     ASSERT_TRUE(test::is_nearest_root(nearest_distance(p, from, tally_), dot(to_p, to_p)));

@@ -17,22 +17,13 @@ using test::Attack;
 using test::Random;
 using test::Rational;
 using test::rational;
+using test::RationalPoint;
 
 constexpr int attacks = 20000;
 
-Rational sum(double a, double b, double c) { return rational(a) + rational(b) + rational(c); }
-
-struct RationalPoint {
-  Rational x;
-  Rational y;
-
-  explicit RationalPoint(const SumPoint& p)
-      : x(sum(p.a.x, p.b.x, p.c.x)), y(sum(p.a.y, p.b.y, p.c.y)) {}
-};
-
 Rational square_of(const Gap& gap) {
-  const RationalPoint p(gap.point);
-  const RationalPoint o(gap.edge.origin);
+  const RationalPoint p = rational(gap.point);
+  const RationalPoint o = rational(gap.edge.origin);
   const Rational x = p.x - o.x;
   const Rational y = p.y - o.y;
   if (!gap.is_to_line) {
@@ -141,8 +132,8 @@ TEST(Gap, CrossingsAlongAxesAreNearest) {
       s.origin.c = attack.point();
     }
     const Point shift = k % 2 == 0 ? Point{0, 0} : attack.point();
-    const RationalPoint p(s.origin);
-    const RationalPoint q(t.origin);
+    const RationalPoint p = rational(s.origin);
+    const RationalPoint q = rational(t.origin);
     for (const bool exchanged : {false, true}) {
       const Point crossing =
           exchanged ? nearest_crossing(t, s, tally, shift) : nearest_crossing(s, t, tally, shift);
@@ -196,8 +187,8 @@ TEST(Gap, ParametersAreRoundedDown) {
       return Rational(x * (rational(t.to.y) - rational(t.from.y)) -
                       y * (rational(t.to.x) - rational(t.from.x)));
     };
-    const RationalPoint from(s.origin);
-    const RationalPoint to(t.origin);
+    const RationalPoint from = rational(s.origin);
+    const RationalPoint to = rational(t.origin);
     const Rational d =
         cross_with_t(rational(s.to.x) - rational(s.from.x), rational(s.to.y) - rational(s.from.y));
     const Rational n = cross_with_t(to.x - from.x, to.y - from.y);
@@ -225,8 +216,8 @@ TEST(Gap, UnitVectorsAreWithinAnUlp) {
     if (k % 3 == 0) {
       to.c = attack.point();
     }
-    const RationalPoint p(from);
-    const RationalPoint q(to);
+    const RationalPoint p = rational(from);
+    const RationalPoint q = rational(to);
     const Rational x = q.x - p.x;
     const Rational y = q.y - p.y;
     if (x == 0 && y == 0) {

@@ -17,23 +17,14 @@ using test::Attack;
 using test::Random;
 using test::Rational;
 using test::rational;
+using test::RationalPoint;
 
 constexpr int attacks = 40000;
 
-struct RationalVector {
-  Rational x;
-  Rational y;
-};
-
-RationalVector between(const Point& p, const Point& q) {
-  return {rational(q.x) - rational(p.x), rational(q.y) - rational(p.y)};
+template <class P>
+RationalPoint between(const P& p, const P& q) {
+  return test::between(rational(p), rational(q));
 }
-RationalVector between(const SumPoint& p, const SumPoint& q) {
-  const auto a = between(p.a, q.a);
-  const auto b = between(p.b, q.b);
-  return {a.x + b.x, a.y + b.y};
-}
-Rational cross(const RationalVector& v, const RationalVector& w) { return v.x * w.y - v.y * w.x; }
 
 class Predicates : public ::testing::Test {
  protected:

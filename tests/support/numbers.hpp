@@ -17,6 +17,26 @@ using Rational = boost::multiprecision::number<boost::multiprecision::gmp_ration
 
 inline Rational rational(double x) { return Rational(x); }
 
+// A point or a vector.
+struct RationalPoint {
+  Rational x;
+  Rational y;
+};
+inline RationalPoint rational(const Point& p) { return {rational(p.x), rational(p.y)}; }
+inline RationalPoint rational(const SumPoint& p) {
+  return {rational(p.a.x) + rational(p.b.x) + rational(p.c.x),
+          rational(p.a.y) + rational(p.b.y) + rational(p.c.y)};
+}
+inline RationalPoint between(const RationalPoint& p, const RationalPoint& q) {
+  return {q.x - p.x, q.y - p.y};
+}
+inline Rational cross(const RationalPoint& v, const RationalPoint& w) {
+  return v.x * w.y - v.y * w.x;
+}
+inline Rational dot(const RationalPoint& v, const RationalPoint& w) {
+  return v.x * w.x + v.y * w.y;
+}
+
 // Halfway from a double, not below 0, to the next one.
 inline Rational halfway_up(double x) {
   const double next = std::nextafter(x, std::numeric_limits<double>::infinity());
