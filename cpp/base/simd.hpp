@@ -5,7 +5,9 @@
 // on single numbers.
 #pragma once
 
-#ifdef __SSE2__
+#include "compiler.hpp"
+
+#ifdef GCV_SSE2
 #include <emmintrin.h>
 #endif
 
@@ -17,13 +19,10 @@
 
 namespace gcv {
 
-using PairOfDoubles [[gnu::vector_size(16)]] = double;
-using PairOfMasks [[gnu::vector_size(16)]] = std::int64_t;
-
 // less() gives -1 in each lane where p < q, else 0. bits_of() has bit k set if lane k is -1. With
 // SSE2 both use the instruction itself. For the plain expression g++ 12 makes up to twelve
 // instructions, which is half of the time of comparing eight boxes.
-#ifdef __SSE2__
+#ifdef GCV_SSE2
 inline PairOfMasks less(const PairOfDoubles& p, const PairOfDoubles& q) {
   return std::bit_cast<PairOfMasks>(_mm_cmplt_pd(p, q));
 }
@@ -101,16 +100,16 @@ struct SimdDouble {
     return {gcv::magnitude(p.low), gcv::magnitude(p.high)};
   }
   friend SimdDouble smaller(const SimdDouble& p, const SimdDouble& q) {
-    return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
+    return {select(p.low < q.low, p.low, q.low), select(p.high < q.high, p.high, q.high)};
   }
   friend SimdDouble larger(const SimdDouble& p, const SimdDouble& q) {
-    return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
+    return {select(p.low > q.low, p.low, q.low), select(p.high > q.high, p.high, q.high)};
   }
 };
 
 // p where the mask is set, else q.
 inline SimdDouble select(const DoubleMask& mask, const SimdDouble& p, const SimdDouble& q) {
-  return {mask.low ? p.low : q.low, mask.high ? p.high : q.high};
+  return {select(mask.low, p.low, q.low), select(mask.high, p.high, q.high)};
 }
 
 // Calls visit(lane) for every bit that is set, from the lowest to the highest.
@@ -121,12 +120,9 @@ template <class Visit>
   }
 }
 
-using FourFloats [[gnu::vector_size(16)]] = float;
-using FourMasks [[gnu::vector_size(16)]] = std::int32_t;
-
 // rounded(p, q) has the floats nearest to p[0], p[1], q[0], q[1]. from<distance>(p, q) has four
 // floats in a row of the eight in p and q, from index `distance` on.
-#ifdef __SSE2__
+#ifdef GCV_SSE2
 inline FourFloats rounded(const PairOfDoubles& p, const PairOfDoubles& q) {
   return _mm_movelh_ps(_mm_cvtpd_ps(p), _mm_cvtpd_ps(q));
 }
@@ -155,7 +151,7 @@ inline FourFloats rounded(const PairOfDoubles& p, const PairOfDoubles& q) {
 }
 template <int distance>
 FourFloats from(const FourFloats& p, const FourFloats& q) {
-  return __builtin_shufflevector(p, q, distance, distance + 1, distance + 2, distance + 3);
+  return shuffled<distance, distance + 1, distance + 2, distance + 3>(p, q);
 }
 #endif
 
@@ -208,27 +204,24 @@ struct SimdFloat {
   }
 
   friend SimdFloat smaller(const SimdFloat& p, const SimdFloat& q) {
-    return {p.low < q.low ? p.low : q.low, p.high < q.high ? p.high : q.high};
+    return {select(p.low < q.low, p.low, q.low), select(p.high < q.high, p.high, q.high)};
   }
   friend SimdFloat larger(const SimdFloat& p, const SimdFloat& q) {
-    return {p.low > q.low ? p.low : q.low, p.high > q.high ? p.high : q.high};
+    return {select(p.low > q.low, p.low, q.low), select(p.high > q.high, p.high, q.high)};
   }
 
   friend Number smallest(const SimdFloat& p) {
-    const FourFloats four = p.low < p.high ? p.low : p.high;
+    const FourFloats four = select(p.low < p.high, p.low, p.high);
     return std::min(std::min(four[0], four[1]), std::min(four[2], four[3]));
   }
   friend Number largest(const SimdFloat& p) {
-    const FourFloats four = p.low > p.high ? p.low : p.high;
+    const FourFloats four = select(p.low > p.high, p.low, p.high);
     return std::max(std::max(four[0], four[1]), std::max(four[2], four[3]));
   }
 };
 
-using FourShorts [[gnu::vector_size(8)]] = std::int16_t;
-using EightShorts [[gnu::vector_size(16)]] = std::int16_t;
-
 // p q / 2^16, rounded down.
-#ifdef __SSE2__
+#ifdef GCV_SSE2
 inline EightShorts high_product(const EightShorts& p, const EightShorts& q) {
   return std::bit_cast<EightShorts>(
       _mm_mulhi_epi16(std::bit_cast<__m128i>(p), std::bit_cast<__m128i>(q)));
@@ -306,13 +299,17 @@ struct SimdShort {
   [[nodiscard]] unsigned bits() const { return bits_of(numbers); }
 
  private:
-  static EightShorts smaller(const EightShorts& p, const EightShorts& q) { return p < q ? p : q; }
-  static EightShorts larger(const EightShorts& p, const EightShorts& q) { return p > q ? p : q; }
+  static EightShorts smaller(const EightShorts& p, const EightShorts& q) {
+    return select(p < q, p, q);
+  }
+  static EightShorts larger(const EightShorts& p, const EightShorts& q) {
+    return select(p > q, p, q);
+  }
   static EightShorts other_half(const EightShorts& p) {
-    return __builtin_shufflevector(p, p, 4, 5, 6, 7, 0, 1, 2, 3);
+    return shuffled<4, 5, 6, 7, 0, 1, 2, 3>(p, p);
   }
   static EightShorts other_quarter(const EightShorts& p) {
-    return __builtin_shufflevector(p, p, 2, 3, 0, 1, 6, 7, 4, 5);
+    return shuffled<2, 3, 0, 1, 6, 7, 4, 5>(p, p);
   }
 };
 

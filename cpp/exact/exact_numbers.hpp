@@ -18,6 +18,7 @@
 #include <initializer_list>
 
 #include "big_integer.hpp"
+#include "compiler.hpp"
 #include "point.hpp"
 #include "tally.hpp"
 
@@ -28,10 +29,7 @@ using FixedInteger = boost::multiprecision::number<
     boost::multiprecision::cpp_int_backend<bits, bits, boost::multiprecision::signed_magnitude,
                                            boost::multiprecision::unchecked, void>,
     boost::multiprecision::et_off>;
-#ifdef __SIZEOF_INT128__
-// NOLINTNEXTLINE(modernize-use-using): `using` has no place for __extension__.
-__extension__ typedef __int128 Int128;
-#else
+#ifndef GCV_INT128
 using Int128 = FixedInteger<128>;
 #endif
 using Int256 = FixedInteger<256>;

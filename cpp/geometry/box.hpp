@@ -54,8 +54,8 @@ inline Box box_of(std::span<const Point> points) {
   PairOfDoubles high = low;
   for (const Point& point : points) {
     const PairOfDoubles p{point.x, point.y};
-    low = p < low ? p : low;
-    high = p > high ? p : high;
+    low = select(p < low, p, low);
+    high = select(p > high, p, high);
   }
   return {low[0], low[1], high[0], high[1]};
 }

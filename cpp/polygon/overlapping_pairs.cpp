@@ -98,13 +98,11 @@ OverlappingPairs::OverlappingPairs(std::span<const Point> ring, const Box& bound
     const FourFloats p4 = two(ends[4], ends[5]);
     const FourFloats p6 = two(ends[6], ends[7]);
     const FourFloats p8 = two(ends[8], ends[8]);
-    const SimdFloat from_x{__builtin_shufflevector(p0, p2, 0, 2, 4, 6),
-                           __builtin_shufflevector(p4, p6, 0, 2, 4, 6)};
-    const SimdFloat from_y{__builtin_shufflevector(p0, p2, 1, 3, 5, 7),
-                           __builtin_shufflevector(p4, p6, 1, 3, 5, 7)};
+    const SimdFloat from_x{shuffled<0, 2, 4, 6>(p0, p2), shuffled<0, 2, 4, 6>(p4, p6)};
+    const SimdFloat from_y{shuffled<1, 3, 5, 7>(p0, p2), shuffled<1, 3, 5, 7>(p4, p6)};
     const SimdFloat to_x{from<1>(from_x.low, from_x.high), from<1>(from_x.high, p8)};
     const SimdFloat to_y{from<1>(from_y.low, from_y.high),
-                         from<1>(from_y.high, __builtin_shufflevector(p8, p8, 1, 1, 1, 1))};
+                         from<1>(from_y.high, shuffled<1, 1, 1, 1>(p8, p8))};
     (smaller(from_x, to_x) - margin).store(block.x0);
     (smaller(from_y, to_y) - margin).store(block.y0);
     (larger(from_x, to_x) + margin).store(block.x1);

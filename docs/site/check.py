@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""Every link of the built site leads somewhere, and nothing is loaded from elsewhere."""
+"""Every link of the built site leads somewhere, and nothing is loaded from elsewhere.
+
+rustdoc checks its links itself, and some of them only its scripts can follow.
+"""
 
 from __future__ import annotations
 
@@ -50,7 +53,8 @@ def main() -> int:
     count, wrong = 0, []
     for file in sorted(site.rglob("*.html")):
         page = read(file)
-        for link in page.links | page.loads:
+        by_rustdoc = file.is_relative_to(site / "reference" / "rust")
+        for link in page.loads if by_rustdoc else page.links | page.loads:
             if urlsplit(link).scheme == "data":
                 continue
             message = ""

@@ -16,6 +16,9 @@ export class Made {
   constructor(readonly pointer: number) {}
 }
 
+/** "1 vertex", "2 vertices". @internal */
+export const counted = (count: number, one: string, many = `${one}s`) => `${count} ${count === 1 ? one : many}`;
+
 const registry = new FinalizationRegistry<[Destroy, number]>(([destroy, pointer]) =>
   library[destroy](pointer),
 );
@@ -55,6 +58,14 @@ export abstract class Handle {
       this.#facts.set(name, ask(pointer));
     }
     return this.#facts.get(name) as T;
+  }
+
+  /** What it holds, in a few words. @internal */
+  protected abstract inWords(): string;
+
+  /** What console.log() shows in Node. */
+  [Symbol.for("nodejs.util.inspect.custom")](): string {
+    return `<${this.constructor.name}${this.isFreed ? ", freed" : ` of ${this.inWords()}`}>`;
   }
 
   /** Whether free() was called. */

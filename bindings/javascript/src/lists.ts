@@ -3,7 +3,7 @@
 //
 // Lists of contacts and of pairs.
 
-import { Handle, Made } from "./handle.js";
+import { counted, Handle, Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { integerAt, structsOf } from "./memory.js";
 import { contactStruct, pairStruct, type Contact, type Pair } from "./records.js";
@@ -13,8 +13,16 @@ abstract class RecordList<T> extends Handle implements Iterable<T> {
   /** All of them; the same array at each access. */
   abstract get records(): T[];
 
+  /** @internal */
+  protected abstract readonly noun: string;
+
   get length(): number {
     return this.records.length;
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    return counted(this.length, this.noun);
   }
 
   at(index: number): T | undefined {
@@ -28,6 +36,9 @@ abstract class RecordList<T> extends Handle implements Iterable<T> {
 
 /** Contacts, the nearest first. */
 export class ContactList extends RecordList<Contact> {
+  /** @internal */
+  protected override readonly noun = "contact";
+
   /** @internal */
   constructor(made: Made) {
     super(made, "gcv_contact_list_destroy");
@@ -57,6 +68,9 @@ export class ContactList extends RecordList<Contact> {
 
 /** Pairs of ids, by a, then by b. */
 export class PairList extends RecordList<Pair> {
+  /** @internal */
+  protected override readonly noun = "pair";
+
   /** @internal */
   constructor(made: Made) {
     super(made, "gcv_pair_list_destroy");

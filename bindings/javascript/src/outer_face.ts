@@ -15,7 +15,7 @@ import {
   type Stats,
 } from "./facts.js";
 import { closedRing, wktOfRings, type GeoJSONPolygon } from "./geojson.js";
-import { Made } from "./handle.js";
+import { counted, Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, coordinatesOf, doubleOf, integerAt, pointerOf, structsOf, withScratch } from "./memory.js";
 import { Polygon, type Box } from "./polygon.js";
@@ -39,6 +39,11 @@ export class OuterFace extends Shape {
     return this.known("vertices", (pointer) =>
       coordinatesOf((...buffer) => library.gcv_outer_face_vertices(pointer, ...buffer)),
     );
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    return counted(this.vertices.length / 2, "vertex", "vertices");
   }
 
   /** The vertices of the exact ring. */

@@ -5,7 +5,7 @@
 
 import { caught, GcvError, named } from "./errors.js";
 import { closedRing, wktOfRings, type GeoJSONPolygon } from "./geojson.js";
-import { Made } from "./handle.js";
+import { counted, Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, doubleOf, doublesAt, pointerOf, withScratch } from "./memory.js";
 import { checkOptions, roundingOf, type SumOptions } from "./options.js";
@@ -107,6 +107,12 @@ export class Polygon extends Shape {
   /** The rings without the outer one. */
   get holes(): Float64Array[] {
     return this.rings.slice(1);
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    const vertices = counted(this.rings.reduce((sum, ring) => sum + ring.length / 2, 0), "vertex", "vertices");
+    return this.rings.length > 1 ? `${vertices} with ${counted(this.rings.length - 1, "hole")}` : vertices;
   }
 
   /** The area without the holes, in square units, correctly rounded. */

@@ -23,7 +23,7 @@ import {
   type GeoJSONGeometryCollection,
   type GeoJSONMultiPolygon,
 } from "./geojson.js";
-import { Made } from "./handle.js";
+import { counted, Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, coordinatesOf, doubleOf, integerAt, pointerOf, structsOf, withScratch } from "./memory.js";
 import { coordinatesOf as coordinatesOfPoints, isPoint, numbersOf, type Point, type Points } from "./points.js";
@@ -121,6 +121,19 @@ export class Region extends Shape {
     return this.parts
       .filter((part) => part.kind === kind)
       .map(({ start, stop }) => this.vertices.subarray(2 * start, 2 * stop));
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    const holes = this.parts.filter((part) => part.kind === PartKind.HOLE).length;
+    const words: [number, string][] = [
+      [this.polygons.length, "polygon"],
+      [holes, "hole"],
+      [this.segments.length, "segment"],
+      [this.points.length, "point"],
+    ];
+    const found = words.filter(([count]) => count > 0);
+    return found.map(([count, word]) => counted(count, word)).join(", ") || "no parts";
   }
 
   /** Whether there is no part at all. That is an answer, not an error. */

@@ -4,7 +4,7 @@
 // The members of scenes, and how they change.
 
 import { unfit } from "./errors.js";
-import { Handle, Made } from "./handle.js";
+import { counted, Handle, Made } from "./handle.js";
 import { library } from "./library.js";
 import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
 import { checkCounts, coordinatesOf, elementsOf, isList, isPoint, type Point, type Points } from "./points.js";
@@ -165,6 +165,11 @@ export abstract class SceneMembers extends Handle {
   /** The number of members. */
   get size(): number {
     return this.ids.length;
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    return counted(this.size, "member") + (this.container === null ? "" : " in a container");
   }
 
   /** The position of a member. */

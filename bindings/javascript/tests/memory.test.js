@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { inspect } from "node:util";
 
 import * as gcv from "gcv";
 import { library } from "../dist/library.js";
@@ -23,6 +24,26 @@ test("what was freed is not used any more", () => {
   ]) {
     assert.throws(use, /Polygon: it was freed/);
   }
+});
+
+test("objects are shown in words", () => {
+  const polygon = new gcv.Polygon(square);
+  const frame = new gcv.Polygon([[0, 0], [4, 0], [4, 4], [0, 4]], [[[1, 1], [2, 1], [2, 2], [1, 2]]]);
+  const scene = new gcv.Scene(frame);
+  const region = gcv.noFitRegion(frame, polygon);
+  assert.equal(inspect(polygon), "<Polygon of 4 vertices>");
+  assert.equal(inspect(frame), "<Polygon of 8 vertices with 1 hole>");
+  assert.equal(inspect(gcv.minkowskiSum(frame, polygon)), "<OuterFace of 4 vertices>");
+  assert.equal(inspect(region), "<Region of 1 polygon, 1 point>");
+  assert.equal(inspect(gcv.innerFitRegion(polygon, frame)), "<Region of no parts>");
+  assert.equal(inspect(scene), "<Scene of 0 members in a container>");
+  const id = scene.add(polygon);
+  assert.equal(inspect([scene]), "[ <Scene of 1 member in a container> ]");
+  assert.equal(inspect(scene.pairs(1)), "<PairList of 1 pair>");
+  assert.equal(inspect(gcv.contacts(polygon, polygon, [1, 0], 0)), "<ContactList of 6 contacts>");
+  scene.remove(id);
+  polygon.free();
+  assert.equal(inspect(polygon), "<Polygon, freed>");
 });
 
 test("results do not need what they were made from", () => {

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
-#include "fma_by_integers.hpp"
+#include "software_fma.hpp"
 
 #include "fma.hpp"
 
-#ifdef __MINGW32__
+#if defined(__MINGW32__) || defined(__wasm__)
 
 namespace gcv {
+
+#ifdef __MINGW32__
 
 namespace {
 
@@ -17,8 +19,14 @@ namespace {
 
 double fma(double x, double y, double z) {
   static const bool has_instruction = __builtin_cpu_supports("fma") != 0;
-  return has_instruction ? fma_by_machine(x, y, z) : fma_by_integers(x, y, z);
+  return has_instruction ? fma_by_machine(x, y, z) : software_fma(x, y, z);
 }
+
+#else
+
+double fma(double x, double y, double z) { return software_fma(x, y, z); }
+
+#endif
 
 }  // namespace gcv
 
