@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "box.hpp"
@@ -29,6 +30,18 @@ std::vector<std::uint32_t> order_on_curve(std::uint32_t count, BoxOf box) {
   }
   sort_keys(keys);
   return {keys.begin(), keys.end()};
+}
+
+// The same for boxes that a tree is made over: trees over a few are quick in any order.
+template <class BoxOf>
+std::vector<std::uint32_t> order_for_tree(std::uint32_t count, BoxOf box) {
+  constexpr std::uint32_t few = 64;
+  if (count > few) {
+    return order_on_curve(count, box);
+  }
+  std::vector<std::uint32_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  return numbers;
 }
 
 }  // namespace gcv

@@ -63,22 +63,14 @@ Polygon polygon_of(std::size_t ring_count, const char* name, Make make) {
   return polygon;
 }
 
-// Those near each other in a row, whatever the caller's order: for the trees over their edges. A
-// few are quick in any order.
+// Those near each other in a row, whatever the caller's order: for the trees over their edges.
 Boundary joined_in_order(const Boundary& outer, const std::vector<Boundary>& holes) {
-  constexpr std::size_t few = 64;
   std::vector<const Boundary*> all;
   all.reserve(holes.size());
-  if (holes.size() > few) {
-    for (const std::uint32_t k :
-         order_on_curve(static_cast<std::uint32_t>(holes.size()),
-                        [&](std::uint32_t hole) { return holes[hole].bounds; })) {
-      all.push_back(&holes[k]);
-    }
-  } else {
-    for (const Boundary& hole : holes) {
-      all.push_back(&hole);
-    }
+  for (const std::uint32_t k :
+       order_for_tree(static_cast<std::uint32_t>(holes.size()),
+                      [&](std::uint32_t hole) { return holes[hole].bounds; })) {
+    all.push_back(&holes[k]);
   }
   return joined(outer, all);
 }

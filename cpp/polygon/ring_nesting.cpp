@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "box.hpp"
+#include "curve_order.hpp"
 #include "error.hpp"
 #include "overlapping_pairs.hpp"
 #include "predicates.hpp"
@@ -57,7 +58,8 @@ class Nesting {
 
   Tally check() {
     Pace pace;
-    for (Index r = 0; r < static_cast<Index>(rings_.size()); ++r) {
+    for (const Index r : order_for_tree(static_cast<Index>(rings_.size()),
+                                        [&](Index ring) { return rings_[ring]->bounds; })) {
       pace.step(2 * std::uint64_t{rings_[r]->size()});
       for (Index i = 0; i < rings_[r]->size(); ++i) {
         edges_.push_back({r, i});
@@ -65,8 +67,10 @@ class Nesting {
       }
     }
     OverlappingPairs(boxes_).visit_all([&](std::size_t e, std::size_t f) {
-      if (edges_[e].ring != edges_[f].ring) {
-        check_pair(edges_[std::min(e, f)], edges_[std::max(e, f)]);
+      const auto& [first, second] = std::minmax(
+          edges_[e], edges_[f], [](const Edge& p, const Edge& q) { return p.ring < q.ring; });
+      if (first.ring != second.ring) {
+        check_pair(first, second);
       }
     });
     locate_groups();

@@ -3,11 +3,11 @@
 
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
-#include <utility>
+#include <functional>
 #include <vector>
 
 #include "contributing_vertices.hpp"
+#include "key_numbers.hpp"
 #include "predicates.hpp"
 #include "tally.hpp"
 #include "vector.hpp"
@@ -24,6 +24,7 @@ class EdgeLines {
       : operands_(operands), unit_(8 * slack), tally_(tally) {}
 
   void clear() {
+    keys_.clear();
     first_.clear();
     lines_.clear();
   }
@@ -32,8 +33,8 @@ class EdgeLines {
   Value* find(const PairEdge& s) {
     const std::int64_t place = place_of(s);
     for (const std::int64_t near : {place, place - 1, place + 1}) {
-      const auto first = first_.find(key(s, near));
-      for (std::uint32_t k = first == first_.end() ? none : first->second; k != none;
+      const std::uint32_t number = keys_.find(key(s, near));
+      for (std::uint32_t k = number == none ? none : first_[number]; k != none;
            k = lines_[k].next) {
         if (holds(lines_[k], s)) {
           return &lines_[k].value;
@@ -48,20 +49,27 @@ class EdgeLines {
     if (Value* const value = find(s)) {
       return *value;
     }
-    const auto number = static_cast<std::uint32_t>(lines_.size());
-    const auto [first, is_new] = first_.try_emplace(key(s, place_of(s)), number);
-    lines_.push_back({s, is_new ? none : std::exchange(first->second, number), {}});
+    const auto [number, is_new] = keys_.add(key(s, place_of(s)));
+    if (is_new) {
+      first_.push_back(none);
+    }
+    lines_.push_back({s, first_[number], {}});
+    first_[number] = static_cast<std::uint32_t>(lines_.size() - 1);
     return lines_.back().value;
   }
 
  private:
-  static constexpr std::uint32_t none = 0xffffffff;
-
   struct Line {
     PairEdge edge;       // that lies on it
     std::uint32_t next;  // of the same key
     Value value;
   };
+
+  struct Same {
+    std::uint64_t operator()(std::uint64_t key) const { return key; }
+  };
+  using Keys = KeyNumbers<std::uint64_t, Same, std::equal_to<>>;
+  static constexpr std::uint32_t none = Keys::none;
 
   // In units of several times the slack: the same for all edges on a line, or next to that.
   [[nodiscard]] std::int64_t place_of(const PairEdge& s) const {
@@ -85,7 +93,8 @@ class EdgeLines {
   double unit_;
   Tally& tally_;
   std::vector<Line> lines_;
-  std::unordered_map<std::uint64_t, std::uint32_t> first_;  // of each key
+  Keys keys_{{}, {}};
+  std::vector<std::uint32_t> first_;  // line of each key
 };
 
 }  // namespace gcv

@@ -9,7 +9,7 @@
 namespace gcv {
 
 KnownTurns::KnownTurns(const Operands& operands, Tally& tally)
-    : operands_(operands), tally_(tally), turns_(0, Hash{}, Equal{operands, tally}) {}
+    : operands_(operands), tally_(tally), turns_(Hash{}, Equal{operands, tally}) {}
 
 KnownTurns::Key KnownTurns::key(const RingVertex& vertex) const {
   const RoundedVertex p = rounded_vertex(operands_.a, operands_.b, vertex, {0, 0}, tally_);
@@ -18,7 +18,7 @@ KnownTurns::Key KnownTurns::key(const RingVertex& vertex) const {
           {operands_.named(vertex.arriving()), operands_.named(vertex.leaving())}};
 }
 
-std::size_t KnownTurns::Hash::operator()(const Key& key) const {
+std::uint64_t KnownTurns::Hash::operator()(const Key& key) const {
   std::uint64_t hash = 0;
   for (const std::uint64_t part :
        {key.x, key.y, std::uint64_t{key.turn.arriving.rank} << 32U | key.turn.leaving.rank}) {

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_set>
 
 #include "contributing_vertices.hpp"
 #include "exact_ring.hpp"
+#include "key_numbers.hpp"
 #include "tally.hpp"
 
 namespace gcv {
@@ -23,8 +23,10 @@ class KnownTurns {
   KnownTurns(const Operands& operands, Tally& tally);
 
   // Is it known?
-  [[nodiscard]] bool has(const RingVertex& vertex) const { return turns_.contains(key(vertex)); }
-  void add(const RingVertex& vertex) { turns_.insert(key(vertex)); }
+  [[nodiscard]] bool has(const RingVertex& vertex) const {
+    return turns_.find(key(vertex)) != Turns::none;
+  }
+  void add(const RingVertex& vertex) { turns_.add(key(vertex)); }
 
  private:
   struct Key {
@@ -35,7 +37,7 @@ class KnownTurns {
   [[nodiscard]] Key key(const RingVertex& vertex) const;
 
   struct Hash {
-    std::size_t operator()(const Key& key) const;
+    std::uint64_t operator()(const Key& key) const;
   };
   struct Equal {
     const Operands& operands;
@@ -43,9 +45,11 @@ class KnownTurns {
     bool operator()(const Key& p, const Key& q) const;
   };
 
+  using Turns = KeyNumbers<Key, Hash, Equal>;
+
   const Operands& operands_;
   Tally& tally_;
-  std::unordered_set<Key, Hash, Equal> turns_;
+  Turns turns_;
 };
 
 }  // namespace gcv
