@@ -47,7 +47,8 @@ class KeyNumbers {
   // Where to look for the key first, of so many places.
   [[nodiscard]] std::size_t first_place(const Key& key, std::size_t places) const {
     // The golden ratio spreads keys that are near (Knuth, 1973).
-    return (hash_(key) * 0x9e3779b97f4a7c15U) >> (64 - std::bit_width(places - 1));
+    return static_cast<std::size_t>((hash_(key) * 0x9e3779b97f4a7c15U) >>
+                                    (64 - std::bit_width(places - 1)));
   }
   // Where the number of the key is, or may be put.
   [[nodiscard]] std::size_t place_of(const Key& key) const {
