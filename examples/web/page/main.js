@@ -109,6 +109,7 @@ function show(name) {
   if (view !== views[name]) {
     view.camera = stage.camera;
     view = views[name];
+    page.facts([]);
   }
   for (const tab of tabs) {
     const isChosen = tab.id === `tab-${name}`;

@@ -44,6 +44,11 @@ export async function start() {
   };
 }
 
+/** Waits until the view that is shown has an answer. @param {import("playwright-core").Page} page */
+export function answered(page) {
+  return page.waitForFunction(() => document.querySelectorAll("#facts dd").length > 0);
+}
+
 /**
  * The page in a context of its own, once the first answer is shown. Errors of the page fail.
  * @param {import("playwright-core").Browser} browser @param {string} url
@@ -56,7 +61,7 @@ export async function open(browser, url, options = {}) {
   page.on("pageerror", (error) => errors.push(String(error)));
   page.on("console", (message) => message.type() === "error" && errors.push(message.text()));
   await page.goto(url);
-  await page.waitForFunction(() => document.querySelectorAll("#facts dd").length > 0);
+  await answered(page);
   return { page, context, errors };
 }
 
@@ -122,7 +127,7 @@ export async function until(page, name, value) {
         (item) => item.textContent === name && item.nextElementSibling?.textContent === value,
       ),
     { name, value },
-    { timeout: 5000 },
+    { timeout: 20000 },
   );
 }
 

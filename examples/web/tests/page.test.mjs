@@ -4,7 +4,7 @@
 
 import assert from "node:assert/strict";
 import { after, before, test } from "node:test";
-import { factsOf, onScreen, open, ringOf, start, until } from "./browser.mjs";
+import { answered, onScreen, open, ringOf, start, until } from "./browser.mjs";
 
 let site = /** @type {Awaited<ReturnType<typeof start>>} */ (/** @type {unknown} */ (null));
 
@@ -142,6 +142,7 @@ test("everything that can be used has a name", async () => {
   const { page, context } = await open(site.browser, site.url);
   for (const view of ["sum", "sheet", "blocks"]) {
     await page.click(`#tab-${view}`);
+    await answered(page);
     const client = await context.newCDPSession(page);
     const { nodes } = await client.send("Accessibility.getFullAXTree");
     const roles = ["button", "checkbox", "radio", "combobox", "slider", "tab", "tabpanel", "group", "toolbar"];
@@ -151,6 +152,5 @@ test("everything that can be used has a name", async () => {
       assert.ok(String(node.name?.value ?? "") !== "" || node.role?.value === "group", JSON.stringify(node));
     }
   }
-  assert.ok(Object.keys(await factsOf(page)).length > 0);
   await context.close();
 });

@@ -4,7 +4,7 @@
 
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { drag, factsOf, give, onScreen, ringOf, until } from "./browser.mjs";
+import { answered, drag, factsOf, give, onScreen, ringOf, until } from "./browser.mjs";
 import { freshPage } from "./fresh_page.mjs";
 
 const opened = freshPage();
@@ -13,14 +13,14 @@ const opened = freshPage();
 async function show(view) {
   const { page } = opened;
   await page.click(`#tab-${view}`);
-  await page.waitForFunction(() => (document.querySelectorAll("#facts dd").length ?? 0) > 4);
+  await answered(page);
   return page;
 }
 
 /** Waits until a shape lies with its first vertex at a point. @param {number} shape
  * @param {[number, number]} point */
 async function lies(shape, point) {
-  for (let tries = 0; tries < 100; ++tries) {
+  for (let tries = 0; tries < 500; ++tries) {
     const [[x, y]] = await ringOf(opened.page, shape);
     if (x === point[0] && y === point[1]) {
       return;
