@@ -14,6 +14,7 @@
 #include "double_double.hpp"
 #include "double_double_rounding.hpp"
 #include "exact_numbers.hpp"
+#include "expansion.hpp"
 #include "fma.hpp"
 #include "predicates.hpp"
 #include "to_double.hpp"
@@ -90,61 +91,11 @@ std::optional<double> exact_length(const DoubleDoubleVector& v) {
 
 bool is_exactly_zero(const DoubleDouble& x) { return x.is_double() && x.hi == 0; }
 
-// The sign of the sum of at most twelve doubles. Nothing where it overflows. The parts do not
-// overlap, and each is smaller than the next. Source: Shewchuk, Adaptive Precision Floating-Point
-// Arithmetic and Fast Robust Geometric Predicates, section 2.4.
-std::optional<int> sign_of_sum(std::span<const double> numbers) {
-  double parts[12];
-  std::size_t count = 0;
-  for (double number : numbers) {
-    if (number == 0) {
-      continue;
-    }
-    for (std::size_t k = 0; k < count; ++k) {
-      const double sum = number + parts[k];
-      parts[k] = rounding_error(number, parts[k], sum);
-      number = sum;
-    }
-    if (!std::isfinite(number)) {
-      return std::nullopt;
-    }
-    parts[count++] = number;
-  }
-  while (count > 0 && parts[count - 1] == 0) {
-    --count;
-  }
-  return count == 0 ? 0 : parts[count - 1] > 0 ? 1 : -1;
-}
-
-// Numbers whose sum is the distance, where it is one along an axis.
-std::optional<std::array<double, 6>> gap_along_axis(const Gap& gap) {
-  const SumPoint& p = gap.point;
-  const SumPoint& o = gap.edge.origin;
-  const std::array<double, 6> x{p.a.x, -o.a.x, p.b.x, -o.b.x, p.c.x, -o.c.x};
-  const std::array<double, 6> y{p.a.y, -o.a.y, p.b.y, -o.b.y, p.c.y, -o.c.y};
-  const bool is_along_x = gap.is_to_line ? gap.edge.dx == 0 : sign_of_sum(y) == 0;
-  const bool is_along_y = gap.is_to_line ? gap.edge.dy == 0 : sign_of_sum(x) == 0;
-  if (!is_along_x && !is_along_y) {
-    return std::nullopt;
-  }
-  std::array<double, 6> along = is_along_x ? x : y;
-  if (sign_of_sum(along) == -1) {
-    std::transform(along.begin(), along.end(), along.begin(), std::negate<>());
-  }
-  return along;
-}
-
-// The sign of p - q, if both are along an axis.
-std::optional<int> compare_along_axis(const Gap& p, const Gap& q) {
-  const auto along_p = gap_along_axis(p);
-  const auto along_q = along_p ? gap_along_axis(q) : std::nullopt;
-  if (!along_q) {
-    return std::nullopt;
-  }
-  std::array<double, 12> difference;
-  std::copy(along_p->begin(), along_p->end(), difference.begin());
-  std::transform(along_q->begin(), along_q->end(), difference.begin() + 6, std::negate<>());
-  return sign_of_sum(difference);
+// The distance, or its opposite, where it is one along an axis.
+const Expansion<6>* along_axis(const Gap& gap, const ExactVector& offset) {
+  const bool is_along_x = gap.is_to_line ? gap.edge.dx == 0 : offset.y.sign() == 0;
+  const bool is_along_y = gap.is_to_line ? gap.edge.dy == 0 : offset.x.sign() == 0;
+  return is_along_x ? &offset.x : is_along_y ? &offset.y : nullptr;
 }
 
 Ball length_of(const DoubleDoubleVector& v) {
@@ -153,9 +104,44 @@ Ball length_of(const DoubleDoubleVector& v) {
   return square_root(x * x + y * y);
 }
 
+Ball size_of(const Ball& x) { return x.hi < 0 ? -x : x; }
+
 std::optional<RoundedNumber> rounded_size(const DoubleDouble& x) {
-  const Ball ball = Ball::of(x);
-  return rounded(ball.hi < 0 ? -ball : ball);
+  return rounded(size_of(Ball::of(x)));
+}
+
+// The length of the vector, if its numbers are in range.
+std::optional<Ball> length_of(const ExactVector& v) {
+  const Ball x = v.x.leading();
+  const Ball y = v.y.leading();
+  return gcv::is_in_range(x.hi) && gcv::is_in_range(y.hi)
+             ? std::optional(square_root(x * x + y * y))
+             : std::nullopt;
+}
+
+// The distance, by exact sums: what it leaves out is small beside it, however close the point is.
+// Nothing where numbers are out of range.
+std::optional<Ball> leading_gap(const Gap& gap, const ExactVector& offset) {
+  if (!offset.is_finite()) {
+    return std::nullopt;
+  }
+  if (const Expansion<6>* along = along_axis(gap, offset)) {
+    return size_of(along->leading());
+  }
+  if (!gap.is_to_line) {
+    return length_of(offset);
+  }
+  const ExactVector direction({gap.edge.from, {0, 0}}, {gap.edge.to, {0, 0}});
+  if (!offset.has_exact_products() || !direction.has_exact_products()) {
+    return std::nullopt;
+  }
+  Expansion<2 * 2 * 2 * 6> height;
+  height.add_product(direction.x, offset.y);
+  height.subtract_product(direction.y, offset.x);
+  const Ball leading = height.leading();
+  const std::optional<Ball> length = length_of(direction);
+  return length && gcv::is_in_range(leading.hi) ? std::optional(size_of(leading) / *length)
+                                                : std::nullopt;
 }
 
 // In double-double arithmetic, where that is certain.
@@ -173,8 +159,7 @@ std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
     if (!is_in_range(direction) || !gcv::is_in_range(height.hi)) {
       return std::nullopt;
     }
-    const Ball ball = Ball::of(height) / length_of(direction);
-    return rounded(ball.hi < 0 ? -ball : ball);
+    return rounded(size_of(Ball::of(height)) / length_of(direction));
   }
   if (offset.x.is_exact && offset.x.hi == 0) {
     return rounded_size(offset.y);
@@ -189,6 +174,48 @@ std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
     return RoundedNumber{*length, true};
   }
   return rounded(length_of(offset));
+}
+
+// The double nearest to the distance, where that is certain without integers.
+std::optional<RoundedNumber> quickly_rounded_gap(const Gap& gap) {
+  if (const std::optional<RoundedNumber> in_doubles = rounded_gap(gap)) {
+    return in_doubles;
+  }
+  const std::optional<Ball> leading = leading_gap(gap, ExactVector(gap.edge.origin, gap.point));
+  return leading ? rounded(*leading) : std::nullopt;
+}
+
+// The sign of p - q, where it is certain without integers.
+std::optional<int> compare_leading_gaps(const Gap& p, const Gap& q) {
+  const ExactVector offset_p(p.edge.origin, p.point);
+  const ExactVector offset_q(q.edge.origin, q.point);
+  const std::optional<Ball> left = leading_gap(p, offset_p);
+  const std::optional<Ball> right = left ? leading_gap(q, offset_q) : std::nullopt;
+  if (!right) {
+    return std::nullopt;
+  }
+  const Ball difference = *left + -*right;
+  if (std::abs(difference.hi) > 2 * difference.error) {
+    return difference.hi > 0 ? 1 : -1;
+  }
+  const Expansion<6>* along_p = along_axis(p, offset_p);
+  const Expansion<6>* along_q = along_axis(q, offset_q);
+  if (along_p == nullptr || along_q == nullptr) {
+    return std::nullopt;
+  }
+  Expansion<12> exact;
+  exact.add_product(along_p->sign(), *along_p);
+  exact.add_product(-along_q->sign(), *along_q);
+  return exact.sign();
+}
+
+// The vector over its length. Nothing where that may be more than an ulp off.
+std::optional<Point> unit_vector(const Ball& x, const Ball& y, const Ball& length) {
+  const auto is_sure = [](const Ball& ball) { return ball.error <= 0x1p-60 * std::abs(ball.hi); };
+  const Ball unit_x = x / length;
+  const Ball unit_y = y / length;
+  return is_sure(unit_x) && is_sure(unit_y) ? std::optional(Point{unit_x.hi + 0.0, unit_y.hi + 0.0})
+                                            : std::nullopt;
 }
 
 // The largest double at most n / d, by the remainder of the rounded quotient, which is a double.
@@ -207,9 +234,9 @@ Point turned_left(const Point& p) { return {-p.y, p.x}; }
 }  // namespace
 
 int compare_gaps(const Gap& p, const Gap& q, Tally& tally) {
-  if (const std::optional<int> along_axis = compare_along_axis(p, q)) {
+  if (const std::optional<int> order = compare_leading_gaps(p, q)) {
     ++tally.filtered;
-    return *along_axis;
+    return *order;
   }
   Grid grid;
   include(grid, p);
@@ -233,7 +260,7 @@ int compare_gap(const Gap& p, double distance, Tally& tally) {
   if (distance == 0) {
     return is_zero(p, tally) ? 0 : 1;
   }
-  const std::optional<RoundedNumber> in_doubles = rounded_gap(p);
+  const std::optional<RoundedNumber> in_doubles = quickly_rounded_gap(p);
   if (in_doubles && in_doubles->value != distance) {
     ++tally.filtered;
     return in_doubles->value < distance ? -1 : 1;
@@ -249,7 +276,7 @@ int compare_gap(const Gap& p, double distance, Tally& tally) {
 }
 
 double nearest_gap(const Gap& gap, Tally& tally) {
-  if (const std::optional<RoundedNumber> in_doubles = rounded_gap(gap)) {
+  if (const std::optional<RoundedNumber> in_doubles = quickly_rounded_gap(gap)) {
     ++tally.filtered;
     return in_doubles->value;
   }
@@ -271,14 +298,17 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
     const double unit = std::copysign(1.0, along);
     return is_along_x ? Point{unit, 0} : Point{0, unit};
   }
-  const auto is_sure = [](const Ball& ball) { return ball.error <= 0x1p-60 * std::abs(ball.hi); };
   if (is_in_range(v)) {
-    const Ball length = length_of(v);
-    const Ball x = Ball::of(v.x) / length;
-    const Ball y = Ball::of(v.y) / length;
-    if (is_sure(x) && is_sure(y)) {
+    if (const auto unit = unit_vector(Ball::of(v.x), Ball::of(v.y), length_of(v))) {
       ++tally.filtered;
-      return {x.hi + 0.0, y.hi + 0.0};
+      return *unit;
+    }
+  }
+  const ExactVector exact_v(from, to);
+  if (const auto length = exact_v.is_finite() ? length_of(exact_v) : std::nullopt) {
+    if (const auto unit = unit_vector(exact_v.x.leading(), exact_v.y.leading(), *length)) {
+      ++tally.filtered;
+      return *unit;
     }
   }
   Grid grid;
