@@ -135,7 +135,7 @@ std::optional<Ball> leading_gap(const Gap& gap, const ExactVector& offset) {
   if (!offset.has_exact_products() || !direction.has_exact_products()) {
     return std::nullopt;
   }
-  Expansion<2 * 2 * 2 * 6> height;
+  Expansion<48> height;  // two products of 2 by 6 parts, each of two doubles
   height.add_product(direction.x, offset.y);
   height.subtract_product(direction.y, offset.x);
   const Ball leading = height.leading();

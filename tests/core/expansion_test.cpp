@@ -89,7 +89,7 @@ TEST(Expansion, HasSumsOfProducts) {
       continue;
     }
     ++decided;
-    Expansion<2 * 2 * 9> cross;
+    Expansion<36> cross;
     cross.add_product(sums[0], sums[1]);
     cross.subtract_product(sums[2], sums[3]);
     expect_sum(cross, Rational(wanted[0] * wanted[1] - wanted[2] * wanted[3]));
