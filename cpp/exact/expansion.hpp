@@ -47,7 +47,7 @@ class Expansion {
     }
     count_ = kept;
   }
-  // Adds x y. Exact where x and y are 1, 0, or as has_exact_products() asks.
+  // Adds x y. Exact where x is 0, 1 or -1, or both are as has_exact_products() asks.
   void add_product(double x, double y) {
     const double product = x * y;
     add(gcv::fma(x, y, -product));
@@ -96,7 +96,7 @@ class Expansion {
   // Its first two doubles. What they leave out is below 2u^2 of it.
   [[nodiscard]] Ball leading() const {
     std::size_t k = count_;
-    // The double nearest to the parts from k on, but for `rest`.
+    // What was summed and the parts below k, up to where `rest` is left over.
     const auto next = [&](double sum, double& rest) {
       for (rest = 0; k > 0 && rest == 0;) {
         const double part = parts_[--k];

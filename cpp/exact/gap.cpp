@@ -1,12 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "gap.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
-#include <span>
 #include <tuple>
 #include <type_traits>
 
@@ -71,10 +67,6 @@ DoubleDoubleVector offset_of(const Gap& gap) {
   return double_double_vector(gap.edge.origin, gap.point);
 }
 
-bool is_in_range(const DoubleDoubleVector& v) {
-  return gcv::is_in_range(v.x.hi) && gcv::is_in_range(v.y.hi);
-}
-
 // sqrt(x^2 + y^2) where it is a double and nothing is rounded.
 std::optional<double> exact_length(const DoubleDoubleVector& v) {
   if (!v.x.is_double() || !v.y.is_double()) {
@@ -98,25 +90,22 @@ const Expansion<6>* along_axis(const Gap& gap, const ExactVector& offset) {
   return is_along_x ? &offset.x : is_along_y ? &offset.y : nullptr;
 }
 
-Ball length_of(const DoubleDoubleVector& v) {
-  const Ball x = Ball::of(v.x);
-  const Ball y = Ball::of(v.y);
-  return square_root(x * x + y * y);
+// The length of a vector, if its numbers are in range.
+std::optional<Ball> length_of(const Ball& x, const Ball& y) {
+  return is_in_range(x.hi) && is_in_range(y.hi) ? std::optional(square_root(x * x + y * y))
+                                                : std::nullopt;
+}
+std::optional<Ball> length_of(const DoubleDoubleVector& v) {
+  return length_of(Ball::of(v.x), Ball::of(v.y));
+}
+std::optional<Ball> length_of(const ExactVector& v) {
+  return length_of(v.x.leading(), v.y.leading());
 }
 
 Ball size_of(const Ball& x) { return x.hi < 0 ? -x : x; }
 
 std::optional<RoundedNumber> rounded_size(const DoubleDouble& x) {
   return rounded(size_of(Ball::of(x)));
-}
-
-// The length of the vector, if its numbers are in range.
-std::optional<Ball> length_of(const ExactVector& v) {
-  const Ball x = v.x.leading();
-  const Ball y = v.y.leading();
-  return gcv::is_in_range(x.hi) && gcv::is_in_range(y.hi)
-             ? std::optional(square_root(x * x + y * y))
-             : std::nullopt;
 }
 
 // The distance, by exact sums: what it leaves out is small beside it, however close the point is.
@@ -156,10 +145,9 @@ std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
       return rounded_size(offset.y);
     }
     const DoubleDoubleCross height = double_double_cross(direction, offset);
-    if (!is_in_range(direction) || !gcv::is_in_range(height.hi)) {
-      return std::nullopt;
-    }
-    return rounded(size_of(Ball::of(height)) / length_of(direction));
+    const std::optional<Ball> length = length_of(direction);
+    return length && is_in_range(height.hi) ? rounded(size_of(Ball::of(height)) / *length)
+                                            : std::nullopt;
   }
   if (offset.x.is_exact && offset.x.hi == 0) {
     return rounded_size(offset.y);
@@ -167,13 +155,14 @@ std::optional<RoundedNumber> rounded_gap(const Gap& gap) {
   if (offset.y.is_exact && offset.y.hi == 0) {
     return rounded_size(offset.x);
   }
-  if (!is_in_range(offset)) {
+  const std::optional<Ball> length = length_of(offset);
+  if (!length) {
     return std::nullopt;
   }
-  if (const std::optional<double> length = exact_length(offset)) {
-    return RoundedNumber{*length, true};
+  if (const std::optional<double> exact = exact_length(offset)) {
+    return RoundedNumber{*exact, true};
   }
-  return rounded(length_of(offset));
+  return rounded(*length);
 }
 
 // The double nearest to the distance, where that is certain without integers.
@@ -210,10 +199,14 @@ std::optional<int> compare_leading_gaps(const Gap& p, const Gap& q) {
 }
 
 // The vector over its length. Nothing where that may be more than an ulp off.
-std::optional<Point> unit_vector(const Ball& x, const Ball& y, const Ball& length) {
+std::optional<Point> unit_vector(const Ball& x, const Ball& y) {
+  const std::optional<Ball> length = length_of(x, y);
+  if (!length) {
+    return std::nullopt;
+  }
   const auto is_sure = [](const Ball& ball) { return ball.error <= 0x1p-60 * std::abs(ball.hi); };
-  const Ball unit_x = x / length;
-  const Ball unit_y = y / length;
+  const Ball unit_x = x / *length;
+  const Ball unit_y = y / *length;
   return is_sure(unit_x) && is_sure(unit_y) ? std::optional(Point{unit_x.hi + 0.0, unit_y.hi + 0.0})
                                             : std::nullopt;
 }
@@ -298,15 +291,13 @@ Point nearest_unit_vector(const SumPoint& from, const SumPoint& to, Tally& tally
     const double unit = std::copysign(1.0, along);
     return is_along_x ? Point{unit, 0} : Point{0, unit};
   }
-  if (is_in_range(v)) {
-    if (const auto unit = unit_vector(Ball::of(v.x), Ball::of(v.y), length_of(v))) {
-      ++tally.filtered;
-      return *unit;
-    }
+  if (const auto unit = unit_vector(Ball::of(v.x), Ball::of(v.y))) {
+    ++tally.filtered;
+    return *unit;
   }
-  const ExactVector exact_v(from, to);
-  if (const auto length = exact_v.is_finite() ? length_of(exact_v) : std::nullopt) {
-    if (const auto unit = unit_vector(exact_v.x.leading(), exact_v.y.leading(), *length)) {
+  const ExactVector sums(from, to);
+  if (sums.is_finite()) {
+    if (const auto unit = unit_vector(sums.x.leading(), sums.y.leading())) {
       ++tally.filtered;
       return *unit;
     }

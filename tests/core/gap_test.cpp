@@ -250,5 +250,32 @@ TEST(Gap, UnitVectorsAlongAxes) {
   }
 }
 
+// A turned edge, and points within roundings of it.
+TEST(Gap, NearTouchesTakeNoIntegers) {
+  Random random(20261129);
+  Tally tally;
+  for (int k = 0; k < 1000; ++k) {
+    const auto number = [&] { return test::uniform(random, 1, 1000000) / 3e5; };
+    const Point from{number(), number()};
+    const Point to{from.x + number(), from.y + number()};
+    const Point at{number(), number()};
+    const double along = number() / 4;
+    const SumEdge edge{{from, at}, from, to, to.x - from.x, to.y - from.y};
+    const auto near = [&](double part) {
+      return SumPoint{{from.x + part * edge.dx, from.y + part * edge.dy}, at};
+    };
+    const Gap p{edge, near(along), true};
+    const Gap q{edge, near(along / 3), true};
+    if (square_of(p) != square_of(q) && !is_zero(p, tally)) {
+      const Tally before = tally;
+      EXPECT_EQ(compare_gaps(p, q, tally), square_of(p) < square_of(q) ? -1 : 1);
+      EXPECT_TRUE(test::is_nearest_root(nearest_gap(p, tally), square_of(p)));
+      EXPECT_EQ(tally.fixed_width, before.fixed_width);
+      EXPECT_EQ(tally.rational, before.rational);
+    }
+  }
+  EXPECT_GT(tally.filtered, 1000U);
+}
+
 }  // namespace
 }  // namespace gcv

@@ -30,6 +30,14 @@ async function lies(shape, point) {
   assert.deepEqual((await ringOf(opened.page, shape))[0], point);
 }
 
+test("a view that is chosen shows no facts of the one before", async () => {
+  const left = await opened.page.evaluate(() => {
+    document.getElementById("tab-sheet")?.click();
+    return document.querySelectorAll("#facts dd").length;
+  });
+  assert.equal(left, 0);
+});
+
 test("the free region of the peg has its exact fits", async () => {
   const facts = await factsOf(await show("sheet"));
   assert.equal(facts["Peg 1"], "touching");
