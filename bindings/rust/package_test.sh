@@ -4,8 +4,7 @@
 #
 # Packages both crates, and uses the packages as a stranger would who has no libgcv: the
 # first example of the README, with the library built from the package.
-# Usage: package_test.sh WORK_FOLDER; CARGO and CARGO_TARGET_DIR as for cargo, GCV_LIB_DIR
-# names the folder of a library that the packages are checked with.
+# Usage: package_test.sh WORK_FOLDER; CARGO and CARGO_TARGET_DIR as for cargo.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -17,10 +16,10 @@ packages=$CARGO_TARGET_DIR/package
 rm -rf "$work" "$packages"
 mkdir -p "$work/src"
 
-# gcv takes this gcv-sys, whatever crates.io has.
+# gcv takes this gcv-sys, whatever crates.io has. Both are built below.
 cd "$here"
-"$cargo" package -p gcv-sys --locked --allow-dirty
-"$cargo" package -p gcv --locked --allow-dirty \
+"$cargo" package -p gcv-sys --locked --allow-dirty --no-verify
+"$cargo" package -p gcv --locked --allow-dirty --no-verify \
   --config 'patch.crates-io.gcv-sys.path="gcv-sys"'
 
 cd "$work"

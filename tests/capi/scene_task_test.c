@@ -19,7 +19,7 @@ static int32_t report(void *context, uint64_t done, uint64_t estimate) {
   return ++progress->calls == progress->ends_at;
 }
 
-enum { MOST = 20000, FEW = 400, SIDE = 5 };
+enum { MOST = 5000, FEW = 400, SIDE = 5 };
 
 static gcv_scene *scene;
 static gcv_polygon *unit;

@@ -2,7 +2,10 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-#   digest.sh BUILD DIGESTS  the same bits as everywhere, of a build of the module
+#   digest.sh BUILD DIGESTS PART...  the same bits as everywhere, of a build of the module, in these
+#                                    quarters of the cases, 1 to 4
 set -euo pipefail
-cmake --build "$1" --target digest
-seq 4 | xargs -P "$(nproc)" -I{} node "$1/digest.cjs" "$2" {} 4
+build=$1 digests=$2
+shift 2
+cmake --build "$build" --target digest
+printf '%s\n' "$@" | xargs -P "$(nproc)" -I{} node "$build/digest.cjs" "$digests" {} 4
