@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler.hpp"
 #include "contacts.hpp"
 #include "error.hpp"
 #include "fill.hpp"
@@ -30,9 +31,17 @@ using gcv::capi::Vectors;
 
 std::vector<std::shared_ptr<const Polygon>> polygons_of(const gcv_polygon* const* polygons,
                                                         std::size_t count) {
+  constexpr std::size_t ahead = 8;
   std::vector<std::shared_ptr<const Polygon>> result;
   result.reserve(count);
   for (std::size_t k = 0; k < count; ++k) {
+    if (k + 2 * ahead < count) {
+      gcv::prefetch(polygons[k + 2 * ahead]);
+      if (const gcv_polygon* const next = polygons[k + ahead]; next != nullptr) {
+        gcv::prefetch(next->polygon.get());
+        gcv::prefetch(&next->polygon->outer.bounds);
+      }
+    }
     if (polygons[k] == nullptr) {
       throw Error(Status::null_argument, "polygons: number %zu is NULL", k);
     }

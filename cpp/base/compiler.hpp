@@ -35,6 +35,11 @@ template <int... lanes, class Vector>
 
 }  // namespace gcv
 
+namespace gcv {
+// What is there will be read soon.
+inline void prefetch(const void* address) { __builtin_prefetch(address); }
+}  // namespace gcv
+
 #ifdef __SSE2__
 #define GCV_SSE2 1
 #endif
@@ -50,6 +55,8 @@ __extension__ typedef __int128 Int128;
 #else
 
 namespace gcv {
+
+inline void prefetch(const void* /*address*/) {}
 
 template <class Number, std::size_t size>
 struct alignas(size * sizeof(Number)) Lanes {

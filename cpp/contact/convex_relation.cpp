@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "convex_relation.hpp"
 
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace gcv {
@@ -18,24 +20,56 @@ int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q, Tally&
   return e.from.y < e.to.y ? order : -order;
 }
 
-// Looks for an edge of one polygon that separates the other from it.
+// Looks for an edge of one polygon that separates the other from it. It begins with the edge that
+// faces the other one, which mostly does, if any does.
 class SeparatingEdge {
  public:
   SeparatingEdge(const PlacedPolygon& polygon, const PlacedPolygon& other, Tally& tally)
-      : polygon_(polygon), other_(other), tally_(tally) {}
+      : polygon_(polygon), other_(other), tally_(tally), facing_(facing_edge()) {}
 
-  // Nothing if there is none.
-  std::optional<Relation> find() {
-    for (Index i = 0; i < polygon_.boundary.size(); ++i) {
-      const SumEdge e = polygon_.edge(i);
-      if (is_to_the_right(e)) {
-        return meets(e, polygon_.vertex(polygon_.next(i))) ? Relation::touching : Relation::apart;
+  // Nothing if that edge separates nothing.
+  std::optional<Relation> try_facing() { return try_edge(facing_); }
+  // The same of all other edges.
+  std::optional<Relation> try_others() {
+    for (Index i = polygon_.next(facing_); i != facing_; i = polygon_.next(i)) {
+      if (const auto found = try_edge(i)) {
+        return found;
       }
     }
     return std::nullopt;
   }
 
  private:
+  // The edge to the right of whose line the middle of the other polygon lies furthest, by rounded
+  // numbers. Any edge will do.
+  [[nodiscard]] Index facing_edge() const {
+    const Box& box = other_.boundary.bounds;
+    const Point middle{(box.x0 + box.x1) / 2 + (other_.translation.x - polygon_.translation.x),
+                       (box.y0 + box.y1) / 2 + (other_.translation.y - polygon_.translation.y)};
+    const PointVector& vertices = polygon_.boundary.vertices;
+    Index facing = 0;
+    double most = -std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < polygon_.boundary.size(); ++i) {
+      const Point& from = vertices[i];
+      const Point& to = vertices[polygon_.next(i)];
+      const double dx = to.x - from.x;
+      const double dy = to.y - from.y;
+      const double cross = dy * (middle.x - from.x) - dx * (middle.y - from.y);
+      const double signed_square = cross * std::abs(cross) / (dx * dx + dy * dy);
+      if (signed_square > most) {
+        most = signed_square;
+        facing = i;
+      }
+    }
+    return facing;
+  }
+  std::optional<Relation> try_edge(Index i) {
+    const SumEdge e = polygon_.edge(i);
+    if (!is_to_the_right(e)) {
+      return std::nullopt;
+    }
+    return meets(e, polygon_.vertex(polygon_.next(i))) ? Relation::touching : Relation::apart;
+  }
   // Does all of the other polygon lie on the line or to the right of it? Begins with the vertex
   // that did not for the edge before. Leaves the vertices on the line, of which there are two at
   // most.
@@ -70,6 +104,7 @@ class SeparatingEdge {
   const PlacedPolygon& polygon_;
   const PlacedPolygon& other_;
   Tally& tally_;
+  const Index facing_;
   Index left_ = 0;
   Index on_line_[2] = {0, 0};
   Index on_line_count_ = 0;
@@ -85,10 +120,18 @@ bool are_small_and_convex(const PlacedPair& placed) {
 }
 
 Relation convex_relation(const PlacedPair& placed, Tally& tally) {
-  if (const auto found = SeparatingEdge(placed.a, placed.b, tally).find()) {
+  SeparatingEdge of_a(placed.a, placed.b, tally);
+  if (const auto found = of_a.try_facing()) {
     return *found;
   }
-  return SeparatingEdge(placed.b, placed.a, tally).find().value_or(Relation::overlapping);
+  SeparatingEdge of_b(placed.b, placed.a, tally);
+  if (const auto found = of_b.try_facing()) {
+    return *found;
+  }
+  if (const auto found = of_a.try_others()) {
+    return *found;
+  }
+  return of_b.try_others().value_or(Relation::overlapping);
 }
 
 }  // namespace gcv

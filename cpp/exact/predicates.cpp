@@ -117,8 +117,13 @@ std::optional<int> double_double_sign(const DoubleDoubleVector& v, const DoubleD
   return exact::turn(p0, p1, q0, q1, tally);
 }
 
+// Is it the end of an edge of the first polygon, by its coordinates?
+bool is_end(const SumEdge& s, const SumPoint& point) {
+  return s.origin.a == s.from && SumPoint{s.to, s.origin.b, s.origin.c} == point;
+}
+
 [[gnu::noinline]] int undecided_side(const SumEdge& s, const SumPoint& point, Tally& tally) {
-  if (s.origin == point) {
+  if (s.origin == point || is_end(s, point)) {
     ++tally.fixed_width;
     return 0;
   }

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "compiler.hpp"
 #include "parallel.hpp"
 #include "placed_box.hpp"
 #include "query.hpp"
@@ -21,22 +22,11 @@ class PairSearch {
   // Leaves out pairs of solids that are both unchanged.
   PairSearch(const Scene& scene, const Query& query, const Unchanged& unchanged, double distance)
       : scene_(scene),
+        query_(query),
+        unchanged_(unchanged),
         distance_(distance),
         container_(query.admits_container() ? scene.container() : std::nullopt),
-        container_is_changed_(!unchanged.has_container()),
-        kinds_(scene.members().size(), Kind::left_out) {
-    for (std::uint32_t slot = 0; slot < kinds_.size(); ++slot) {
-      if (query.admits(scene.members()[slot])) {
-        all_.push_back(slot);
-        if (unchanged.has_slot(slot)) {
-          kinds_[slot] = Kind::unchanged;
-        } else {
-          kinds_[slot] = Kind::changed;
-          changed_.push_back(slot);
-        }
-      }
-    }
-  }
+        changed_(slots([&](std::uint32_t slot) { return !unchanged.has_slot(slot); })) {}
 
   // Calls visit(results, a, b) for pairs of solids, at least for those that are no further than the
   // distance, each once, with a.id < b.id. `results` is a vector of one thread. Returns all
@@ -46,11 +36,13 @@ class PairSearch {
   [[nodiscard]] std::vector<Result> run(Task& task, Visit visit) const {
     // Where few members have changed, each of them looks for those near it. Else all pairs of boxes
     // are looked for at once.
-    const bool are_few = changed_.size() < all_.size() / 2;
+    const bool are_few = changed_.size() < scene_.size() / 2;
     const std::vector<BoxForest::Part> parts =
         are_few ? std::vector<BoxForest::Part>() : scene_.boxes().parts();
-    const Slots& beside_container = container_is_changed_ ? all_ : changed_;
-    const std::size_t container_blocks = container_ ? blocks_of(beside_container) : 0;
+    const Slots beside_container = !container_                  ? Slots()
+                                   : unchanged_.has_container() ? changed_
+                                                                : slots([](auto) { return true; });
+    const std::size_t container_blocks = blocks_of(beside_container);
     const std::size_t blocks = container_blocks + (are_few ? blocks_of(changed_) : parts.size());
     std::vector<std::vector<Result>> results(blocks);
     task.begin(blocks * slots_a_block);
@@ -65,10 +57,10 @@ class PairSearch {
             for (const std::uint32_t slot : block_of(beside_container, block)) {
               visit_solids(*container_, scene_.solid(slot));
             }
-          } else if (are_few) {
-            visit_near(block_of(changed_, block - container_blocks), visit_solids);
           } else {
-            visit_part(parts[block - container_blocks], visit_solids);
+            visit_pairs(are_few ? pairs_near(block_of(changed_, block - container_blocks))
+                                : pairs_of(parts[block - container_blocks]),
+                        visit_solids);
           }
           task.advance(slots_a_block);
         },
@@ -90,7 +82,20 @@ class PairSearch {
   using Slots = std::vector<std::uint32_t>;
   static constexpr std::size_t slots_a_block = 256;
 
-  enum class Kind : std::uint8_t { left_out, unchanged, changed };
+  // Those that the query admits, of which is_wanted(slot) is true.
+  template <class IsWanted>
+  [[nodiscard]] Slots slots(IsWanted is_wanted) const {
+    Slots slots;
+    for (std::uint32_t slot = 0; slot < scene_.members().size(); ++slot) {
+      if (is_wanted(slot) && is_admitted(slot)) {
+        slots.push_back(slot);
+      }
+    }
+    return slots;
+  }
+  [[nodiscard]] bool is_admitted(std::uint32_t slot) const {
+    return unchanged_.has_slot(slot) || query_.admits(scene_.members()[slot]);
+  }
 
   static std::size_t blocks_of(const Slots& slots) {
     return (slots.size() + slots_a_block - 1) / slots_a_block;
@@ -100,44 +105,69 @@ class PairSearch {
     return std::span(slots).subspan(first, std::min(slots_a_block, slots.size() - first));
   }
 
-  template <class Visit>
-  void visit_in_order(std::uint32_t p, std::uint32_t q, Visit visit) const {
-    visit(scene_.solid(std::min(p, q)), scene_.solid(std::max(p, q)));
-  }
+  // Two members whose boxes are near each other.
+  struct Pair {
+    std::uint32_t p;
+    std::uint32_t q;
+  };
+  using Pairs = std::vector<Pair>;
+
   // The pairs of some changed members; of two changed ones those with a later member.
-  template <class Visit>
-  void visit_near(std::span<const std::uint32_t> slots, Visit visit) const {
+  [[nodiscard]] Pairs pairs_near(std::span<const std::uint32_t> slots) const {
+    Pairs pairs;
     for (const std::uint32_t slot : slots) {
       const Solid solid = scene_.solid(slot);
       const Box box =
           widened_outwards(moved_outwards(solid.boundary.bounds, solid.position), distance_);
-      const auto visit_other = [&](std::uint32_t other) {
-        if (kinds_[other] == Kind::unchanged || (kinds_[other] == Kind::changed && other > slot)) {
-          visit_in_order(slot, other, visit);
+      const auto add_other = [&](std::uint32_t other) {
+        if ((other > slot || unchanged_.has_slot(other)) && is_admitted(other)) {
+          add(slot, other, pairs);
         }
         return false;
       };
-      NearBoxes search(box, visit_other);
+      NearBoxes search(box, add_other);
       scene_.boxes().search(search);
+    }
+    return pairs;
+  }
+  [[nodiscard]] Pairs pairs_of(const BoxForest::Part& part) const {
+    Pairs pairs;
+    scene_.boxes().visit_pairs(part, distance_, [&](std::uint32_t p, std::uint32_t q) {
+      if (!(unchanged_.has_slot(p) && unchanged_.has_slot(q)) && is_admitted(p) && is_admitted(q)) {
+        add(p, q, pairs);
+      }
+    });
+    return pairs;
+  }
+  // Their polygons will be read soon.
+  void add(std::uint32_t p, std::uint32_t q, Pairs& pairs) const {
+    pairs.push_back({std::min(p, q), std::max(p, q)});
+    for (const std::uint32_t slot : {p, q}) {
+      const Polygon& polygon = *scene_.members()[slot].polygon;
+      prefetch(&polygon.outer.vertices);
+      prefetch(&polygon.outer.bounds.x0);
+      prefetch(&polygon.outer.bounds.y1);
+      prefetch(&polygon.holes);
     }
   }
   template <class Visit>
-  void visit_part(const BoxForest::Part& part, Visit visit) const {
-    scene_.boxes().visit_pairs(part, distance_, [&](std::uint32_t p, std::uint32_t q) {
-      if (kinds_[p] != Kind::left_out && kinds_[q] != Kind::left_out &&
-          (kinds_[p] == Kind::changed || kinds_[q] == Kind::changed)) {
-        visit_in_order(p, q, visit);
+  void visit_pairs(const Pairs& pairs, Visit visit) const {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t k = 0; k < pairs.size(); ++k) {
+      if (k + ahead < pairs.size()) {
+        prefetch(scene_.members()[pairs[k + ahead].p].polygon->outer.vertices.data());
+        prefetch(scene_.members()[pairs[k + ahead].q].polygon->outer.vertices.data());
       }
-    });
+      visit(scene_.solid(pairs[k].p), scene_.solid(pairs[k].q));
+    }
   }
 
   const Scene& scene_;
+  const Query& query_;
+  const Unchanged& unchanged_;
   const double distance_;
   const std::optional<Solid> container_;
-  const bool container_is_changed_;
-  std::vector<Kind> kinds_;  // of each slot
-  Slots all_;                // that the query admits
-  Slots changed_;
+  const Slots changed_;  // of those that the query admits
 };
 
 }  // namespace gcv

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cinttypes>
+#include <utility>
 
 #include "error.hpp"
 #include "placed_box.hpp"
@@ -32,7 +33,7 @@ void Scene::set_container(const Polygon* container) {
   container_stamp_ = next_stamp();
 }
 
-Id Scene::add(std::span<const std::shared_ptr<const Polygon>> polygons,
+Id Scene::add(std::vector<std::shared_ptr<const Polygon>> polygons,
               std::span<const Point> positions) {
   const Id first = next_id_;
   if (polygons.empty()) {
@@ -56,7 +57,7 @@ Id Scene::add(std::span<const std::shared_ptr<const Polygon>> polygons,
   boxes_.apply(prepared);
   const std::uint64_t stamp = next_stamp();
   for (std::size_t k = 0; k < polygons.size(); ++k) {
-    members_.push_back({next_id_++, polygons[k], positions[k], stamp, all_layers});
+    members_.push_back({next_id_++, std::move(polygons[k]), positions[k], stamp, all_layers});
   }
   size_ += polygons.size();
   return first;

@@ -48,8 +48,7 @@ class Scene {
   // nullptr for none.
   void set_container(const Polygon* container);
   // Returns the first of the ids, which follow one another.
-  Id add(std::span<const std::shared_ptr<const Polygon>> polygons,
-         std::span<const Point> positions);
+  Id add(std::vector<std::shared_ptr<const Polygon>> polygons, std::span<const Point> positions);
   // The functions that take ids throw Error: invalid_argument for one that is no member's, or is
   // there twice. Polygons and positions may be empty: then they stay.
   void set(std::span<const Id> ids, std::span<const std::shared_ptr<const Polygon>> polygons,

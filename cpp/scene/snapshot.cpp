@@ -35,23 +35,14 @@ Unchanged::Unchanged(const Scene& scene, const Query& query, const Snapshot& bef
   }
 }
 
-bool Unchanged::has(Id id) const {
-  if (before_ == nullptr) {
-    return false;
-  }
-  if (id == container_id) {
-    return container_;
-  }
-  // Ids grow by at least 1. So the index of one is at most that, and mostly it is.
+std::size_t Unchanged::index_up_to(Id last, Id id) const {
   const std::vector<Snapshot::Stamped>& members = before_->members;
-  std::size_t k = std::min<std::uint64_t>(id - members.front().id, members.size() - 1);
-  if (members[k].id != id) {
-    k = static_cast<std::size_t>(
-        std::lower_bound(members.begin(), members.begin() + static_cast<std::ptrdiff_t>(k), id,
-                         [](const Snapshot::Stamped& member, Id i) { return member.id < i; }) -
-        members.begin());
-  }
-  return of_before_[k];
+  const auto end = members.begin() +
+                   static_cast<std::ptrdiff_t>(std::min<std::uint64_t>(last, members.size() - 1));
+  return static_cast<std::size_t>(
+      std::lower_bound(members.begin(), end, id,
+                       [](const Snapshot::Stamped& member, Id i) { return member.id < i; }) -
+      members.begin());
 }
 
 }  // namespace gcv

@@ -3,6 +3,7 @@
 // When the solids of a scene changed last, for lists that are asked for again.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -37,9 +38,21 @@ class Unchanged {
   [[nodiscard]] bool has_slot(std::uint32_t slot) const { return slots_[slot]; }
   [[nodiscard]] bool has_container() const { return container_; }
   // Of a solid of the snapshot.
-  [[nodiscard]] bool has(Id id) const;
+  [[nodiscard]] bool has(Id id) const {
+    return id == container_id ? container_ : before_ != nullptr && of_before_[index_of(id)];
+  }
 
  private:
+  // Of a member of the snapshot. Ids grow by at least 1. So the index of one is at most its
+  // distance to the first id, and if that holds for the last one, it is this distance for all.
+  [[nodiscard]] std::size_t index_of(Id id) const {
+    const std::vector<Snapshot::Stamped>& members = before_->members;
+    const Id distance = id - members.front().id;
+    return members.back().id - members.front().id < members.size() ? distance
+                                                                   : index_up_to(distance, id);
+  }
+  [[nodiscard]] std::size_t index_up_to(Id last, Id id) const;
+
   const Snapshot* before_ = nullptr;
   std::vector<bool> slots_;
   std::vector<bool> of_before_;  // members of the snapshot

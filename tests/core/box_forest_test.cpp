@@ -200,7 +200,7 @@ TEST(Scene, TakesFewBytesAMember) {
   // One after the other, they may take more.
   Scene other;
   for (std::size_t k = 0; k < count; ++k) {
-    other.add(std::span(polygons).subspan(k, 1), std::span(positions).subspan(k, 1));
+    other.add({polygon}, std::span(positions).subspan(k, 1));
   }
   EXPECT_LT(other.bytes(), 160 * count);
 }

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Boxes, vectors, keys of directions, units in the last place and areas, in fractions.
+// Boxes and their order on a curve, vectors, keys of directions, units in the last place and areas,
+// in fractions.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "area.hpp"
 #include "box.hpp"
+#include "curve_order.hpp"
 #include "direction_key.hpp"
 #include "exact_rings.hpp"
 #include "generators.hpp"
@@ -69,6 +74,37 @@ TEST(Box, IsApartOfOthers) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(are_apart(box, {nan, nan, nan, nan}));
   EXPECT_FALSE(are_apart(box, {-infinity, 0, infinity, 1}));
+}
+
+// The curve visits all squares of a row of rows, and goes from each to one beside it. `size` is
+// that of the squares, on the grid of 2^16 x 2^16.
+void expect_curve_through_squares(double size) {
+  constexpr std::uint32_t side = 64;
+  constexpr Box bounds{0, 0, 65536, 65536};
+  const double area = size * size;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> squares(side * side, {side, side});
+  for (std::uint32_t x = 0; x < side; ++x) {
+    for (std::uint32_t y = 0; y < side; ++y) {
+      const Point middle{(x + 0.5) * size, (y + 0.5) * size};
+      const std::uint32_t place = place_on_curve({middle.x, middle.y, middle.x, middle.y}, bounds);
+      squares.at(static_cast<std::size_t>(place / area)) = {x, y};
+    }
+  }
+  EXPECT_EQ(squares.front(), std::pair(0U, 0U));
+  for (std::size_t k = 1; k < squares.size(); ++k) {
+    const auto [x0, y0] = squares[k - 1];
+    const auto [x1, y1] = squares[k];
+    const auto distance = [](std::uint32_t p, std::uint32_t q) { return p < q ? q - p : p - q; };
+    ASSERT_LT(x1, side) << "square " << k << " is left out";
+    ASSERT_EQ(distance(x0, x1) + distance(y0, y1), 1) << "square " << k;
+  }
+}
+
+TEST(CurveOrder, GoesFromEachSquareToOneBesideIt) {
+  for (const double size : {1.0, 2.0, 4.0, 8.0, 16.0, 256.0, 512.0, 1024.0}) {
+    SCOPED_TRACE(size);
+    expect_curve_through_squares(size);
+  }
 }
 
 // ------------------------------------------------------------------------------ vectors --
