@@ -4,6 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -16,6 +19,52 @@
 #include "task.hpp"
 
 namespace gcv {
+
+// Pairs of members that wait for a visit, while what it reads of their polygons is fetched.
+template <class Visit>
+class PairQueue {
+ public:
+  PairQueue(const Scene& scene, Visit& visit) : scene_(scene), visit_(visit) {}
+
+  void add(std::uint32_t p, std::uint32_t q) {
+    if (count_ == pairs_.size()) {
+      visit_all();
+    }
+    pairs_[count_++] = {std::min(p, q), std::max(p, q)};
+    for (const std::uint32_t slot : {p, q}) {
+      const Polygon& polygon = *scene_.members()[slot].polygon;
+      prefetch(&polygon.outer.vertices);
+      prefetch(&polygon.outer.bounds.x0);
+      prefetch(&polygon.outer.bounds.y1);
+      prefetch(&polygon.holes);
+    }
+  }
+  void visit_all() {
+    constexpr std::size_t ahead = 8;
+    for (std::size_t k = 0; k < count_ + ahead; ++k) {
+      if (k < count_) {
+        prefetch(scene_.solid(pairs_[k].p).boundary.vertices.data());
+        prefetch(scene_.solid(pairs_[k].q).boundary.vertices.data());
+      }
+      if (k >= ahead) {
+        const Pair& pair = pairs_[k - ahead];
+        visit_(scene_.solid(pair.p), scene_.solid(pair.q));
+      }
+    }
+    count_ = 0;
+  }
+
+ private:
+  struct Pair {
+    std::uint32_t p;
+    std::uint32_t q;
+  };
+
+  const Scene& scene_;
+  Visit& visit_;
+  std::array<Pair, 128> pairs_;
+  std::size_t count_ = 0;
+};
 
 class PairSearch {
  public:
@@ -58,9 +107,13 @@ class PairSearch {
               visit_solids(*container_, scene_.solid(slot));
             }
           } else {
-            visit_pairs(are_few ? pairs_near(block_of(changed_, block - container_blocks))
-                                : pairs_of(parts[block - container_blocks]),
-                        visit_solids);
+            PairQueue queue(scene_, visit_solids);
+            if (are_few) {
+              add_near(block_of(changed_, block - container_blocks), queue);
+            } else {
+              add_part(parts[block - container_blocks], queue);
+            }
+            queue.visit_all();
           }
           task.advance(slots_a_block);
         },
@@ -105,61 +158,30 @@ class PairSearch {
     return std::span(slots).subspan(first, std::min(slots_a_block, slots.size() - first));
   }
 
-  // Two members whose boxes are near each other.
-  struct Pair {
-    std::uint32_t p;
-    std::uint32_t q;
-  };
-  using Pairs = std::vector<Pair>;
-
-  // The pairs of some changed members; of two changed ones those with a later member.
-  [[nodiscard]] Pairs pairs_near(std::span<const std::uint32_t> slots) const {
-    Pairs pairs;
+  // Adds the pairs of some changed members; of two changed ones those with a later member.
+  template <class Queue>
+  void add_near(std::span<const std::uint32_t> slots, Queue& queue) const {
     for (const std::uint32_t slot : slots) {
       const Solid solid = scene_.solid(slot);
       const Box box =
           widened_outwards(moved_outwards(solid.boundary.bounds, solid.position), distance_);
       const auto add_other = [&](std::uint32_t other) {
         if ((other > slot || unchanged_.has_slot(other)) && is_admitted(other)) {
-          add(slot, other, pairs);
+          queue.add(slot, other);
         }
         return false;
       };
       NearBoxes search(box, add_other);
       scene_.boxes().search(search);
     }
-    return pairs;
   }
-  [[nodiscard]] Pairs pairs_of(const BoxForest::Part& part) const {
-    Pairs pairs;
+  template <class Queue>
+  void add_part(const BoxForest::Part& part, Queue& queue) const {
     scene_.boxes().visit_pairs(part, distance_, [&](std::uint32_t p, std::uint32_t q) {
       if (!(unchanged_.has_slot(p) && unchanged_.has_slot(q)) && is_admitted(p) && is_admitted(q)) {
-        add(p, q, pairs);
+        queue.add(p, q);
       }
     });
-    return pairs;
-  }
-  // Their polygons will be read soon.
-  void add(std::uint32_t p, std::uint32_t q, Pairs& pairs) const {
-    pairs.push_back({std::min(p, q), std::max(p, q)});
-    for (const std::uint32_t slot : {p, q}) {
-      const Polygon& polygon = *scene_.members()[slot].polygon;
-      prefetch(&polygon.outer.vertices);
-      prefetch(&polygon.outer.bounds.x0);
-      prefetch(&polygon.outer.bounds.y1);
-      prefetch(&polygon.holes);
-    }
-  }
-  template <class Visit>
-  void visit_pairs(const Pairs& pairs, Visit visit) const {
-    constexpr std::size_t ahead = 8;
-    for (std::size_t k = 0; k < pairs.size(); ++k) {
-      if (k + ahead < pairs.size()) {
-        prefetch(scene_.members()[pairs[k + ahead].p].polygon->outer.vertices.data());
-        prefetch(scene_.members()[pairs[k + ahead].q].polygon->outer.vertices.data());
-      }
-      visit(scene_.solid(pairs[k].p), scene_.solid(pairs[k].q));
-    }
   }
 
   const Scene& scene_;
