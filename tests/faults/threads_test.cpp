@@ -19,8 +19,8 @@ using gcv::faults::transcript;
 
 constexpr std::size_t threads = 8;
 constexpr int rounds = 2;
-// New polygons each time: their first use is over at once. Fewer times under sanitizers, which take ten
-// times as long.
+// New polygons each time: their first use is over at once. Fewer times under sanitizers, which take
+// ten times as long.
 #ifdef GCV_SANITIZED
 constexpr int times = 2;
 #else

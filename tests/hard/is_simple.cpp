@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// For the digest, which is built without GMP too, whose fractions tell the tests what is simple: what the
-// library says, which permits repeated vertices.
+// For the digest, which is built without GMP too, whose fractions tell the tests what is simple:
+// what the library says, which permits repeated vertices.
 #include <algorithm>
 
 #include "gcv/gcv.h"
