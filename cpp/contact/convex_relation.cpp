@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "convex_relation.hpp"
 
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 namespace gcv {
@@ -40,28 +38,33 @@ class SeparatingEdge {
   }
 
  private:
-  // The edge to the right of whose line the middle of the other polygon lies furthest, by rounded
-  // numbers. Any edge will do.
+  static bool is_beside(const Box& box, const Point& p) {
+    return p.x < box.x0 || p.x > box.x1 || p.y < box.y0 || p.y > box.y1;
+  }
+  // The edge to the right of whose line the middle of the other polygon lies furthest, in terms of
+  // the edge's length, if the middle is outside of the box. By rounded numbers: any edge will do.
   [[nodiscard]] Index facing_edge() const {
     const Box& box = other_.boundary.bounds;
     const Point middle{(box.x0 + box.x1) / 2 + (other_.translation.x - polygon_.translation.x),
                        (box.y0 + box.y1) / 2 + (other_.translation.y - polygon_.translation.y)};
+    if (!is_beside(polygon_.boundary.bounds, middle)) {
+      return 0;
+    }
     const PointVector& vertices = polygon_.boundary.vertices;
-    Index facing = 0;
-    double most = -std::numeric_limits<double>::infinity();
+    Index facing = 0;  // the end of the edge
+    double most = 0;
+    const Point* from = &vertices.back();
     for (Index i = 0; i < polygon_.boundary.size(); ++i) {
-      const Point& from = vertices[i];
-      const Point& to = vertices[polygon_.next(i)];
-      const double dx = to.x - from.x;
-      const double dy = to.y - from.y;
-      const double cross = dy * (middle.x - from.x) - dx * (middle.y - from.y);
-      const double signed_square = cross * std::abs(cross) / (dx * dx + dy * dy);
-      if (signed_square > most) {
-        most = signed_square;
+      const Point& to = vertices[i];
+      const double cross =
+          (to.y - from->y) * (middle.x - to.x) - (to.x - from->x) * (middle.y - to.y);
+      if (cross > most) {
+        most = cross;
         facing = i;
       }
+      from = &to;
     }
-    return facing;
+    return polygon_.boundary.previous(facing);
   }
   std::optional<Relation> try_edge(Index i) {
     const SumEdge e = polygon_.edge(i);
