@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What g++ and clang have beyond the standard: vectors of numbers, and integers of 128 bits. Other
-// compilers get arrays with the same operations and the same bits, and no such integers: cpp/exact
-// takes Boost's there. GCV_STANDARD_ONLY asks for that from all compilers, for the tests.
+// What g++ and clang have beyond the standard: vectors of numbers, integers of 128 bits, and memory
+// fetched ahead. Other compilers get arrays with the same operations and the same bits, and no such
+// integers: cpp/exact takes Boost's there. GCV_STANDARD_ONLY asks for that from all compilers, for
+// the tests.
 #pragma once
 
 #include <concepts>
@@ -33,11 +34,9 @@ template <int... lanes, class Vector>
   return __builtin_shufflevector(p, q, lanes...);
 }
 
-}  // namespace gcv
-
-namespace gcv {
 // What is there will be read soon.
 inline void prefetch(const void* address) { __builtin_prefetch(address); }
+
 }  // namespace gcv
 
 #ifdef __SSE2__

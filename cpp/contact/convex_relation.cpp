@@ -18,61 +18,24 @@ int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q, Tally&
   return e.from.y < e.to.y ? order : -order;
 }
 
-// Looks for an edge of one polygon that separates the other from it. It begins with the edge that
-// faces the other one, which mostly does, if any does.
+// Looks for an edge of one polygon that separates the other from it.
 class SeparatingEdge {
  public:
   SeparatingEdge(const PlacedPolygon& polygon, const PlacedPolygon& other, Tally& tally)
-      : polygon_(polygon), other_(other), tally_(tally), facing_(facing_edge()) {}
+      : polygon_(polygon), other_(other), tally_(tally) {}
 
-  // Nothing if that edge separates nothing.
-  std::optional<Relation> try_facing() { return try_edge(facing_); }
-  // The same of all other edges.
-  std::optional<Relation> try_others() {
-    for (Index i = polygon_.next(facing_); i != facing_; i = polygon_.next(i)) {
-      if (const auto found = try_edge(i)) {
-        return found;
+  // Nothing if there is none.
+  std::optional<Relation> find() {
+    for (Index i = 0; i < polygon_.boundary.size(); ++i) {
+      const SumEdge e = polygon_.edge(i);
+      if (is_to_the_right(e)) {
+        return meets(e, polygon_.vertex(polygon_.next(i))) ? Relation::touching : Relation::apart;
       }
     }
     return std::nullopt;
   }
 
  private:
-  static bool is_beside(const Box& box, const Point& p) {
-    return p.x < box.x0 || p.x > box.x1 || p.y < box.y0 || p.y > box.y1;
-  }
-  // The edge to the right of whose line the middle of the other polygon lies furthest, in terms of
-  // the edge's length, if the middle is outside of the box. By rounded numbers: any edge will do.
-  [[nodiscard]] Index facing_edge() const {
-    const Box& box = other_.boundary.bounds;
-    const Point middle{(box.x0 + box.x1) / 2 + (other_.translation.x - polygon_.translation.x),
-                       (box.y0 + box.y1) / 2 + (other_.translation.y - polygon_.translation.y)};
-    if (!is_beside(polygon_.boundary.bounds, middle)) {
-      return 0;
-    }
-    const PointVector& vertices = polygon_.boundary.vertices;
-    Index facing = 0;  // the end of the edge
-    double most = 0;
-    const Point* from = &vertices.back();
-    for (Index i = 0; i < polygon_.boundary.size(); ++i) {
-      const Point& to = vertices[i];
-      const double cross =
-          (to.y - from->y) * (middle.x - to.x) - (to.x - from->x) * (middle.y - to.y);
-      if (cross > most) {
-        most = cross;
-        facing = i;
-      }
-      from = &to;
-    }
-    return polygon_.boundary.previous(facing);
-  }
-  std::optional<Relation> try_edge(Index i) {
-    const SumEdge e = polygon_.edge(i);
-    if (!is_to_the_right(e)) {
-      return std::nullopt;
-    }
-    return meets(e, polygon_.vertex(polygon_.next(i))) ? Relation::touching : Relation::apart;
-  }
   // Does all of the other polygon lie on the line or to the right of it? Begins with the vertex
   // that did not for the edge before. Leaves the vertices on the line, of which there are two at
   // most.
@@ -107,7 +70,6 @@ class SeparatingEdge {
   const PlacedPolygon& polygon_;
   const PlacedPolygon& other_;
   Tally& tally_;
-  const Index facing_;
   Index left_ = 0;
   Index on_line_[2] = {0, 0};
   Index on_line_count_ = 0;
@@ -123,18 +85,10 @@ bool are_small_and_convex(const PlacedPair& placed) {
 }
 
 Relation convex_relation(const PlacedPair& placed, Tally& tally) {
-  SeparatingEdge of_a(placed.a, placed.b, tally);
-  if (const auto found = of_a.try_facing()) {
+  if (const auto found = SeparatingEdge(placed.a, placed.b, tally).find()) {
     return *found;
   }
-  SeparatingEdge of_b(placed.b, placed.a, tally);
-  if (const auto found = of_b.try_facing()) {
-    return *found;
-  }
-  if (const auto found = of_a.try_others()) {
-    return *found;
-  }
-  return of_b.try_others().value_or(Relation::overlapping);
+  return SeparatingEdge(placed.b, placed.a, tally).find().value_or(Relation::overlapping);
 }
 
 }  // namespace gcv

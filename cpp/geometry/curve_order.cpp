@@ -10,10 +10,9 @@ namespace gcv {
 
 namespace {
 
-// Hilbert's curve through a square, from its lower left corner. Source: Warren, Hacker's Delight,
-// chapter
-// 16. What part of the square looks like is the whole with x and y exchanged, or with both turned
-// round, or both: its state.
+// Hilbert's curve through a square begins in its lower left corner. In a part of the square it is
+// the same curve with x and y exchanged, or with both turned round, or both: the state of the part.
+// Source: Warren, Hacker's Delight, chapter 16.
 struct State {
   bool is_exchanged;
   bool is_turned;

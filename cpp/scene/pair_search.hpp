@@ -138,13 +138,13 @@ class PairSearch {
   // Those that the query admits, of which is_wanted(slot) is true.
   template <class IsWanted>
   [[nodiscard]] Slots slots(IsWanted is_wanted) const {
-    Slots slots;
+    Slots found;
     for (std::uint32_t slot = 0; slot < scene_.members().size(); ++slot) {
       if (is_wanted(slot) && is_admitted(slot)) {
-        slots.push_back(slot);
+        found.push_back(slot);
       }
     }
-    return slots;
+    return found;
   }
   [[nodiscard]] bool is_admitted(std::uint32_t slot) const {
     return unchanged_.has_slot(slot) || query_.admits(scene_.members()[slot]);
