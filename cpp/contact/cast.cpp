@@ -29,8 +29,9 @@ class FirstEntry {
               motion.x,
               motion.y},
         tally_(tally),
-        slack_(placed.pair.slack + 0x1p-48 * (size_of(placed.offset()) + size_of(motion))) {
-    PairDescent(placed, *this).run();
+        offset_(placed.offset()),
+        slack_(placed.pair.slack + 0x1p-48 * (size_of(offset_) + size_of(motion))) {
+    PairDescent(placed.a.tree(), placed.b.tree(), offset_, *this).run();
   }
 
   // The children that a box meets on its way, the first one first. Seen from B, A moves backwards.
@@ -124,6 +125,7 @@ class FirstEntry {
   const Direction direction_;
   const SumEdge path_;  // of the translation
   Tally& tally_;
+  const Point offset_;
   const double slack_;
   double limit_ = 1;  // times after this do not matter
   std::optional<Entry> first_;
@@ -171,16 +173,19 @@ std::optional<Entry> first_entry(const PlacedPair& placed, const Point& motion, 
 Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
   if (relation(placed, tally) == Relation::overlapping) {
     const auto start = ExactPoint::of_sum({placed.b.translation, {0, 0}});
-    return {true, 0, usable_position(placed.pair, start, tally), {}};
+    return {true, 0, usable_position(placed.pair, start, std::nullopt, tally), {}};
   }
   if (!(motion == Point{0, 0})) {
     if (const std::optional<Entry> entry = first_entry(placed, motion, tally)) {
-      return {true, time_of(*entry, tally), usable_position(placed.pair, entry->place(), tally),
-              contact_on_entry(placed, entry->name, motion, tally)};
+      const ContactName& name = entry->name;
+      return {true, time_of(*entry, tally),
+              usable_position(placed.pair, entry->place(),
+                              std::optional<EdgePair>({name.i, name.j}), tally),
+              contact_on_entry(placed, name, motion, tally)};
     }
   }
   const auto end = ExactPoint::of_sum({placed.b.translation, motion});
-  return {false, 1, usable_position(placed.pair, end, tally), {}};
+  return {false, 1, usable_position(placed.pair, end, std::nullopt, tally), {}};
 }
 
 }  // namespace gcv

@@ -19,7 +19,7 @@ namespace {
 class NearestPairs {
  public:
   explicit NearestPairs(const PlacedPair& placed) : placed_(placed), relative_(placed) {
-    PairDescent(placed, *this).run();
+    relative_.descend(*this);
   }
 
   // The nearest one first.
@@ -31,15 +31,17 @@ class NearestPairs {
   }
 
   // The start of each of the edges and the other edge.
-  bool meet_edges_of_a(Index block, Index j) {
-    const Index first = ChainTree::width * block;
-    add(relative_.edges_of_a(block), RelativePair::four_times(relative_.edge_of_b(j)), placed_.a,
+  bool meet_edges_of_a(const ChainTree::Block& /*block*/, Index number, Index j,
+                       const Box& /*box*/) {
+    const Index first = ChainTree::width * number;
+    add(relative_.edges_of_a(number), RelativePair::four_times(relative_.edge_of_b(j)), placed_.a,
         first, [&](Index lane) { return std::pair(first + lane, j); });
     return false;
   }
-  bool meet_edges_of_b(Index i, Index block) {
-    const Index first = ChainTree::width * block;
-    add(RelativePair::four_times(relative_.edge_of_a(i)), relative_.edges_of_b(block), placed_.b,
+  bool meet_edges_of_b(const ChainTree::Block& /*block*/, Index number, Index i,
+                       const Box& /*box*/) {
+    const Index first = ChainTree::width * number;
+    add(RelativePair::four_times(relative_.edge_of_a(i)), relative_.edges_of_b(number), placed_.b,
         first, [&](Index lane) { return std::pair(i, first + lane); });
     return false;
   }

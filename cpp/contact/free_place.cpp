@@ -98,7 +98,7 @@ class BestFree {
   void compare(const PlacesOnLine& places, const ExactPoint& point, const RelativeLine& line,
                const Interval& parameter, const std::optional<Place>& place) {
     const Interval distance = distance_at(line, parameter);
-    if (found_ && !is_before(point, distance)) {
+    if (found_ && (point == found_->point || !is_before(point, distance))) {
       return;
     }
     found_ = {point, distance, places.line().edge, parameter, place};

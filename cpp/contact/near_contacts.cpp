@@ -24,7 +24,7 @@ class NearContacts {
         tally_(tally),
         relative_(placed),
         limit_(relative_.limit_of_squares(relative_.scale() * distance)) {
-    PairDescent(placed, *this).run();
+    relative_.descend(*this);
     task_.advance(pairs_);
   }
 

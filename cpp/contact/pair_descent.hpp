@@ -43,17 +43,19 @@ bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit
 //     of the block. Returns true as soon as a visit does.
 //   meet(i, j): a pair of edges. Ends the search by returning true.
 // In place of meet() it may have these, for an edge and all edges of a block of the other tree:
-//   meet_edges_of_a(block, j), meet_edges_of_b(i, block): blocks are the numbers of those above.
+//   meet_edges_of_a(block, number, j, box), meet_edges_of_b(block, number, i, box): with the number
+//     of the block among those of edges; the box of the edge is given as above.
 template <class Search>
-concept MeetsBlocks = requires(Search search) {
-  search.meet_edges_of_b(Index{}, Index{});
+concept MeetsBlocks = requires(Search search, const ChainTree::Block& block, const Box& box) {
+  search.meet_edges_of_b(block, Index{}, Index{}, box);
 };
 
 template <class Search>
 class PairDescent {
  public:
-  PairDescent(const PlacedPair& placed, Search& search)
-      : a_(placed.a.tree()), b_(placed.b.tree()), offset_(placed.offset()), search_(search) {}
+  // Of the trees of a pair with that offset.
+  PairDescent(const ChainTree& a, const ChainTree& b, const Point& offset, Search& search)
+      : a_(a), b_(b), offset_(offset), search_(search) {}
 
   // Did the search end?
   bool run() { return descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)}); }
@@ -69,24 +71,29 @@ class PairDescent {
   bool descend(const Node& a, const Node& b) {
     const bool a_is_edge = a_.is_edge(a.place);
     const bool b_is_edge = b_.is_edge(b.place);
-    if constexpr (MeetsBlocks<Search>) {
-      if (a_is_edge && b_.is_edge(ChainTree::child(b.place, 0))) {
-        return search_.meet_edges_of_b(a.place.index, b.place.index);
+    if constexpr (!MeetsBlocks<Search>) {
+      if (a_is_edge && b_is_edge) {
+        return search_.meet(a.place.index, b.place.index);
       }
-      if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {
-        return search_.meet_edges_of_a(a.place.index, b.place.index);
-      }
-    } else if (a_is_edge && b_is_edge) {
-      return search_.meet(a.place.index, b.place.index);
     }
     if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
       const ChainTree::Block& block = a_.blocks[a_.block_below(a.place)];
+      if constexpr (MeetsBlocks<Search>) {
+        if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {
+          return search_.meet_edges_of_a(block, a.place.index, b.place.index, b.box);
+        }
+      }
       return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
         return descend({ChainTree::child(a.place, lane), block.box(lane)}, b);
       });
     }
     const ChainTree::Block& block = b_.blocks[b_.block_below(b.place)];
     const Box box = moved(a.box, {-offset_.x, -offset_.y});
+    if constexpr (MeetsBlocks<Search>) {
+      if (a_is_edge && b_.is_edge(ChainTree::child(b.place, 0))) {
+        return search_.meet_edges_of_b(block, b.place.index, a.place.index, box);
+      }
+    }
     return search_.any_child(block, box, false, [&](std::uint32_t lane) {
       return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_)});
     });

@@ -70,6 +70,7 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
     return result;
   }
   const auto& [key, edge] = *first;
+  result.edges = {edge.i, edge.j};
   Contact& contact = result.contact;
   std::tie(result.owner, contact.kind, contact.a, contact.b) = key;
   contact.normal = outward_normal(coordinates(operands.a, operands.b, edge), tally);
@@ -171,7 +172,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
   const Point& from = placed.b.translation;
   if (relation(placed, tally_) != Relation::overlapping) {
     const ExactPoint start = ExactPoint::of_sum({from, {0, 0}});
-    return {0, {0, 0}, usable_position(placed.pair, start, tally_), {}};
+    return {0, {0, 0}, usable_position(placed.pair, start, std::nullopt, tally_), {}};
   }
   const FreeBoundary* const boundary = ways_.boundary(task);
   const std::optional<FreePlace> place =
@@ -181,9 +182,9 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }
+  const OwnedContact found = contact_in(ways_.operands(), search_, *place, {}, tally_);
   return {depth_of(ways_.operands(), *place, from, tally_), way_to(*place, from, tally_),
-          usable_position(placed.pair, place->point, tally_),
-          contact_in(ways_.operands(), search_, *place, {}, tally_).contact};
+          usable_position(placed.pair, place->point, found.edges, tally_), found.contact};
 }
 
 }  // namespace gcv

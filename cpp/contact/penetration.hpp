@@ -83,6 +83,7 @@ double depth_of(const Operands& operands, const FreePlace& place, const Point& f
 struct OwnedContact {
   std::uint64_t owner = 0;
   Contact contact;
+  std::optional<EdgePair> edges;  // those of the contact, or that begin at vertices of it
 };
 OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const FreePlace& place,
                         std::span<const std::uint64_t> owners, Tally& tally);

@@ -10,6 +10,7 @@
 #include "convex_relation.hpp"
 #include "pair_descent.hpp"
 #include "point_in_polygon.hpp"
+#include "relative_pair.hpp"
 #include "solid_cones.hpp"
 
 namespace gcv {
@@ -21,14 +22,55 @@ using Rings = boost::container::small_vector<Index, 4>;
 // Searches for a place where the boundaries meet and the cones there overlap.
 class OverlapSearch {
  public:
-  OverlapSearch(const PlacedPair& placed, Tally& tally) : placed_(placed), tally_(tally) {}
+  OverlapSearch(const PlacedPair& placed, Tally& tally)
+      : placed_(placed), relative_(placed), tally_(tally) {}
 
   // The rings of A that the boundary of B has met so far.
   [[nodiscard]] const Rings& touched_rings() const { return touched_rings_; }
+  [[nodiscard]] const Point& offset() const { return relative_.offset(); }
+  // The edges that have ended the search.
+  [[nodiscard]] const std::optional<EdgePair>& found() const { return found_; }
+
+  bool run() { return relative_.descend(*this); }
 
   template <class Visit>
   bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
-    unsigned lanes = block.overlapping(widened(box, placed_.pair.slack)) & children_of(block);
+    return any_lane(near_children(block, box), visit);
+  }
+  bool meet_edges_of_a(const ChainTree::Block& block, Index number, Index j, const Box& box) {
+    const unsigned near = near_children(block, box);
+    if (near == 0) {
+      return false;
+    }
+    const RelativePair::Ends edge = relative_.edge_of_b(j);
+    return any_lane(
+        near & relative_.may_cross(relative_.edges_of_a(number), RelativePair::four_times(edge)),
+        [&](Index lane) { return meet(ChainTree::width * number + lane, j); });
+  }
+  bool meet_edges_of_b(const ChainTree::Block& block, Index number, Index i, const Box& box) {
+    const unsigned near = near_children(block, box);
+    if (near == 0) {
+      return false;
+    }
+    const RelativePair::Ends edge = relative_.edge_of_a(i);
+    return any_lane(
+        near & relative_.may_cross(RelativePair::four_times(edge), relative_.edges_of_b(number)),
+        [&](Index lane) { return meet(i, ChainTree::width * number + lane); });
+  }
+
+  bool meet(Index i, Index j) {
+    if (overlap_at(i, j)) {
+      found_ = {i, j};
+    }
+    return found_.has_value();
+  }
+
+ private:
+  [[nodiscard]] unsigned near_children(const ChainTree::Block& block, const Box& box) const {
+    return block.overlapping(widened(box, placed_.pair.slack)) & children_of(block);
+  }
+  template <class Visit>
+  static bool any_lane(unsigned lanes, Visit visit) {
     for (; lanes != 0; lanes &= lanes - 1) {
       if (visit(static_cast<std::uint32_t>(std::countr_zero(lanes)))) {
         return true;
@@ -39,7 +81,7 @@ class OverlapSearch {
 
   // Do the interiors meet beside a point of both edges? At the ends of the edges, their starts are
   // looked at: the edges that begin where they end have the others.
-  bool meet(Index i, Index j) {
+  bool overlap_at(Index i, Index j) {
     const SumEdge p = placed_.a.edge(i);
     const SumEdge q = placed_.b.edge(j);
     const int q_end = side(p, placed_.b.vertex(placed_.b.next(j)), tally_);
@@ -66,7 +108,6 @@ class OverlapSearch {
                         : overlap_on_edge(placed_.b, j, placed_.a, i);
   }
 
- private:
   // The sides of a line on which an edge starts and ends. May it meet the line, but for its end?
   static bool may_meet(int start, int end) { return start * end < 0 || start == 0; }
 
@@ -137,15 +178,17 @@ class OverlapSearch {
   }
 
   const PlacedPair& placed_;
+  const RelativePair relative_;
   Tally& tally_;
   Rings touched_rings_;
+  std::optional<EdgePair> found_;
 };
 
 // The boundary of B meets that of A in these rings at most, and no solid cones overlap there. Does
 // one solid hold points of the other?
-bool is_inside(const PlacedPair& placed, const Rings& touched_rings, Tally& tally) {
+bool is_inside(const PlacedPair& placed, const Point& offset, const Rings& touched_rings,
+               Tally& tally) {
   assert(!placed.b.is_complement());
-  const Point offset = placed.offset();
   const double slack = placed.pair.slack;
   if (touched_rings.empty() && holds(placed.a, placed.b.vertex(0), offset, slack, tally)) {
     return true;
@@ -169,21 +212,34 @@ bool is_inside(const PlacedPair& placed, const Rings& touched_rings, Tally& tall
   return false;
 }
 
+// Asks the edges first, if there are some, and puts those there that have shown an overlap.
+Relation general_relation(const PlacedPair& placed, std::optional<EdgePair>& edges, Tally& tally) {
+  OverlapSearch search(placed, tally);
+  if ((edges && search.meet(edges->i, edges->j)) || search.run()) {
+    edges = search.found();
+    return Relation::overlapping;
+  }
+  const Rings& touched_rings = search.touched_rings();
+  if (is_inside(placed, search.offset(), touched_rings, tally)) {
+    return Relation::overlapping;
+  }
+  return touched_rings.empty() ? Relation::apart : Relation::touching;
+}
+
 }  // namespace
 
 Relation relation(const PlacedPair& placed, Tally& tally) {
   if (are_small_and_convex(placed)) {
     return convex_relation(placed, tally);
   }
-  OverlapSearch search(placed, tally);
-  if (PairDescent(placed, search).run()) {
-    return Relation::overlapping;
-  }
-  const Rings& touched_rings = search.touched_rings();
-  if (is_inside(placed, touched_rings, tally)) {
-    return Relation::overlapping;
-  }
-  return touched_rings.empty() ? Relation::apart : Relation::touching;
+  std::optional<EdgePair> edges;
+  return general_relation(placed, edges, tally);
+}
+
+Relation NearbyRelations::at(const Point& translation) {
+  const PlacedPair placed(pair_, translation);
+  return are_small_and_convex(placed) ? convex_relation(placed, tally_)
+                                      : general_relation(placed, edges_, tally_);
 }
 
 }  // namespace gcv

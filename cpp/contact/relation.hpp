@@ -3,9 +3,17 @@
 // Are two polygons apart, do they touch, or do they overlap?
 #pragma once
 
+#include <optional>
+
 #include "polygon_pair.hpp"
 
 namespace gcv {
+
+// An edge of A and one of B.
+struct EdgePair {
+  Index i;
+  Index j;
+};
 
 // Exact. The boundaries are compared where they come near each other. An overlap ends the search.
 //
@@ -14,5 +22,20 @@ namespace gcv {
 // vertex of each outer ring tells whether one polygon lies inside the other. A may be a complement.
 // Its solid is one for each ring, and each of these is asked alone.
 Relation relation(const PlacedPair& placed, Tally& tally);
+
+// The same at one translation after another. Edges that have shown an overlap are asked first: they
+// do so again at translations nearby. So may `edges` at the first one, if there are some.
+class NearbyRelations {
+ public:
+  NearbyRelations(const PolygonPair& pair, const std::optional<EdgePair>& edges, Tally& tally)
+      : pair_(pair), edges_(edges), tally_(tally) {}
+
+  Relation at(const Point& translation);
+
+ private:
+  const PolygonPair& pair_;
+  std::optional<EdgePair> edges_;
+  Tally& tally_;
+};
 
 }  // namespace gcv

@@ -14,12 +14,14 @@ namespace gcv {
 class RelativePair {
  public:
   explicit RelativePair(const PlacedPair& placed)
-      : placed_(placed),
-        offset_(placed.offset()),
-        scale_(scale_for_squares(extent(placed.a.tree().box) + extent(placed.b.tree().box) +
-                                 std::abs(offset_.x) + std::abs(offset_.y))),
-        slack_(scale_ *
-               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {}
+      : RelativePair(placed, placed.a.boundary.index(), placed.b.boundary.index()) {}
+
+  // Descends the trees of both (pair_descent.hpp). Did the search end?
+  template <class Search>
+  bool descend(Search& search) const {
+    return PairDescent(a_, b_, offset_, search).run();
+  }
+  [[nodiscard]] const Point& offset() const { return offset_; }
 
   // A power of two by which all lengths are multiplied, so that their squares are in range.
   [[nodiscard]] double scale() const { return scale_; }
@@ -44,12 +46,8 @@ class RelativePair {
     return scaled(b.relative(j), b.relative(placed_.b.next(j)), offset_);
   }
   // The edges of a block of those over edges.
-  [[nodiscard]] FourEnds edges_of_a(Index block) const {
-    return scaled(blocks_of_edges(placed_.a)[block], {0, 0});
-  }
-  [[nodiscard]] FourEnds edges_of_b(Index block) const {
-    return scaled(blocks_of_edges(placed_.b)[block], offset_);
-  }
+  [[nodiscard]] FourEnds edges_of_a(Index block) const { return scaled(edges_a_[block], {0, 0}); }
+  [[nodiscard]] FourEnds edges_of_b(Index block) const { return scaled(edges_b_[block], offset_); }
   static FourEnds four_times(const Ends& edge) {
     return {SimdDouble::of(edge.from_x), SimdDouble::of(edge.from_y), SimdDouble::of(edge.to_x),
             SimdDouble::of(edge.to_y)};
@@ -64,6 +62,11 @@ class RelativePair {
     const SimdDouble y = scale_ * larger(none, larger(SimdDouble::load(block.y0) + -box.y1,
                                                       box.y0 - SimdDouble::load(block.y1)));
     return x * x + y * y;
+  }
+
+  // The lanes in which the lines of two edges do not keep the edges apart, as bits.
+  [[nodiscard]] unsigned may_cross(const FourEnds& p, const FourEnds& q) const {
+    return ~(is_aside(p, q) | is_aside(q, p)).bits() & SimdDouble::all;
   }
 
   static double square(double x, double y) { return x * x + y * y; }
@@ -91,6 +94,24 @@ class RelativePair {
   }
 
  private:
+  // Does q lie on one side of the line of p? Coordinates are off by less than a quarter of the
+  // slack, so a cross product of two vectors by less than the slack times what they measure and the
+  // slack.
+  [[nodiscard]] DoubleMask is_aside(const FourEnds& p, const FourEnds& q) const {
+    const SimdDouble dx = p.to_x - p.from_x;
+    const SimdDouble dy = p.to_y - p.from_y;
+    const SimdDouble start_x = q.from_x - p.from_x;
+    const SimdDouble start_y = q.from_y - p.from_y;
+    const SimdDouble end_x = q.to_x - p.from_x;
+    const SimdDouble end_y = q.to_y - p.from_y;
+    const SimdDouble start = dx * start_y - dy * start_x;
+    const SimdDouble end = dx * end_y - dy * end_x;
+    const SimdDouble size = magnitude(dx) + magnitude(dy) + magnitude(start_x) +
+                            magnitude(start_y) + magnitude(end_x) + magnitude(end_y);
+    const SimdDouble room = slack_ * (size + slack_);
+    return (smaller(start, end) > room) | (0 - larger(start, end) > room);
+  }
+
   static double select(bool is_first, double p, double q) { return is_first ? p : q; }
   static SimdDouble select(const DoubleMask& mask, const SimdDouble& p, const SimdDouble& q) {
     return gcv::select(mask, p, q);
@@ -106,12 +127,27 @@ class RelativePair {
             scale_ * (SimdDouble::load(edges.x1) + offset.x),
             scale_ * (SimdDouble::load(edges.y1) + offset.y)};
   }
-  static const SweptSphereBlock* blocks_of_edges(const PlacedPolygon& polygon) {
-    const ChainIndex& index = polygon.boundary.index();
+  RelativePair(const PlacedPair& placed, const ChainIndex& a, const ChainIndex& b)
+      : placed_(placed),
+        a_(a.tree),
+        b_(b.tree),
+        edges_a_(blocks_of_edges(a)),
+        edges_b_(blocks_of_edges(b)),
+        offset_(placed.offset()),
+        scale_(scale_for_squares(extent(a.tree.box) + extent(b.tree.box) + std::abs(offset_.x) +
+                                 std::abs(offset_.y))),
+        slack_(scale_ *
+               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {}
+
+  static const SweptSphereBlock* blocks_of_edges(const ChainIndex& index) {
     return index.spheres.data() + index.tree.first_block.back();
   }
 
   const PlacedPair& placed_;
+  const ChainTree& a_;
+  const ChainTree& b_;
+  const SweptSphereBlock* const edges_a_;
+  const SweptSphereBlock* const edges_b_;
   const Point offset_;
   const double scale_;
   const double slack_;

@@ -67,10 +67,11 @@ std::optional<Point> NearbyPositions::other(std::size_t k) {
   return is_near ? std::optional(position) : std::nullopt;
 }
 
-UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact, Tally& tally) {
-  return usable_position(exact, {0, 0}, tally, [&](const Point& position) {
-    return relation(PlacedPair(pair, position), tally);
-  });
+UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact,
+                               const std::optional<EdgePair>& edges, Tally& tally) {
+  NearbyRelations relations(pair, edges, tally);
+  return usable_position(exact, {0, 0}, tally,
+                         [&](const Point& position) { return relations.at(position); });
 }
 
 }  // namespace gcv

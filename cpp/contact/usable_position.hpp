@@ -70,7 +70,8 @@ UsablePosition usable_position(const ExactPoint& exact, const Point& shift, Tall
   return {nearest, Relation::overlapping};
 }
 
-// The same for translations of B.
-UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact, Tally& tally);
+// The same for translations of B, next to a contact of `edges`, if that is known.
+UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact,
+                               const std::optional<EdgePair>& edges, Tally& tally);
 
 }  // namespace gcv

@@ -118,6 +118,9 @@ inline DoubleDoubleCross double_double_cross(const DoubleDoubleVector& v,
                                              const DoubleDoubleVector& w) {
   const auto& [vx, vy] = v;
   const auto& [wx, wy] = w;
+  if (wx.size == 0 && wy.size == 0) {
+    return {0, 0, 0};
+  }
   const double size = vx.size * wy.size + vy.size * wx.size;
   const double left = vx.hi * wy.hi;
   const double right = vy.hi * wx.hi;

@@ -93,6 +93,9 @@ int side(const SumEdge& s, const ExactPoint& p, Tally& tally) {
   if (p.is_sum) {
     return side(s, p.sum, tally);
   }
+  if (s == p.s || s == p.t) {
+    return 0;
+  }
   const int left = turn(s.from, s.to, p.s.from, p.s.to, tally);
   return left == 0 ? side(s, p.s.origin, tally) : left * compare_crossings(p.s, p.t, s, tally);
 }

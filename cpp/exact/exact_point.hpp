@@ -17,6 +17,11 @@ struct ExactPoint {
 
   static ExactPoint of_sum(const SumPoint& sum) { return {true, sum, {}, {}}; }
   static ExactPoint of_crossing(const SumEdge& s, const SumEdge& t) { return {false, {}, s, t}; }
+
+  // Are they given in the same way? Others can be the same point, too.
+  friend bool operator==(const ExactPoint& p, const ExactPoint& q) {
+    return p.is_sum == q.is_sum && (p.is_sum ? p.sum == q.sum : p.s == q.s && p.t == q.t);
+  }
 };
 
 // Each coordinate of p + shift to the nearest double, ties to even; infinite if that is not finite.

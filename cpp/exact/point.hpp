@@ -75,6 +75,10 @@ struct SumEdge {
   Point to;
   double dx;
   double dy;
+
+  friend bool operator==(const SumEdge& s, const SumEdge& t) {
+    return s.origin == t.origin && s.from == t.from && s.to == t.to;
+  }
 };
 
 }  // namespace gcv
