@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+//
+// What makes relations quick, beside what is exact: edges that are told apart in doubles, and edges
+// that are asked first.
+#include "relation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "generators.hpp"
+#include "region_families.hpp"
+#include "regions.hpp"
+#include "relative_pair.hpp"
+
+namespace gcv {
+namespace {
+
+test::PolygonRings scaled(test::PolygonRings rings, double scale) {
+  for (PointVector& ring : rings) {
+    for (Point& p : ring) {
+      p = {scale * p.x, scale * p.y};
+    }
+  }
+  return rings;
+}
+
+// Calls check(pair, random, size) for polygons full of ties, of that scale, that are up to so
+// large.
+void for_each_pair(int cases, double scale,
+                   const std::function<void(const PolygonPair&, test::Random&, double)>& check) {
+  for (const test::RegionFamily& family : test::region_families()) {
+    test::Random random(5);
+    for (int k = 0; k < cases; ++k) {
+      const test::RegionCase c = family.next_case(random);
+      SCOPED_TRACE(std::string(family.name) + " " + std::to_string(k));
+      const RegionOperand a = test::region_operand(scaled(c.a, scale), "a");
+      const RegionOperand b = test::region_operand(scaled(c.b, scale), "b");
+      const PolygonPair pair(*a.polygon, *b.polygon);
+      check(pair, random, extent(sum_of(pair.a.boundary.bounds, pair.b.boundary.bounds)));
+    }
+  }
+}
+
+// Multiples of a part of the size, and now and then what is next to one.
+Point translation(test::Random& random, double size) {
+  const auto coordinate = [&] {
+    const double multiple = size * test::uniform(random, -24, 24) / 48;
+    return test::uniform(random, 0, 3) == 0 ? std::nextafter(multiple, size) : multiple;
+  };
+  const double x = coordinate();
+  return {x, coordinate()};
+}
+
+// Do two edges have a point in common?
+bool meet(const PlacedPair& placed, Index i, Index j) {
+  Tally tally;
+  const SumEdge p = placed.a.edge(i);
+  const SumEdge q = placed.b.edge(j);
+  const SumPoint p_end = placed.a.vertex(placed.a.next(i));
+  const SumPoint q_end = placed.b.vertex(placed.b.next(j));
+  const auto are_apart = [&](const SumEdge& s, const SumPoint& from, const SumPoint& to) {
+    return side(s, from, tally) * side(s, to, tally) > 0;
+  };
+  return !are_apart(p, q.origin, q_end) && !are_apart(q, p.origin, p_end);
+}
+
+struct Counts {
+  int meeting = 0;
+  int apart = 0;
+  int told_apart = 0;
+};
+
+void check_pair(const PlacedPair& placed, Counts& counts) {
+  const RelativePair relative(placed);
+  const Index of_a = placed.a.boundary.size();
+  const Index of_b = placed.b.boundary.size();
+  for (Index i = 0; i < of_a; ++i) {
+    for (Index j = 0; j < of_b; ++j) {
+      const auto p = RelativePair::four_times(relative.edge_of_a(i));
+      const auto q = RelativePair::four_times(relative.edge_of_b(j));
+      const unsigned all = relative.may_cross(p, q);
+      EXPECT_TRUE(all == 0 || all == SimdDouble::all);
+      constexpr Index width = ChainTree::width;
+      EXPECT_EQ(relative.may_cross(relative.edges_of_a(i / width), q) >> i % width & 1U, all & 1U);
+      EXPECT_EQ(relative.may_cross(p, relative.edges_of_b(j / width)) >> j % width & 1U, all & 1U);
+      if (meet(placed, i, j)) {
+        ++counts.meeting;
+        EXPECT_NE(all, 0U) << i << ' ' << j;
+      } else {
+        ++counts.apart;
+        counts.told_apart += all == 0 ? 1 : 0;
+      }
+    }
+  }
+}
+
+TEST(RelativePair, KeepsNoEdgesApartThatMeet) {
+  for (const double scale : {1.0, 0x1p900, 0x1p1017, 0x1p-900, 0x1p-1062}) {
+    SCOPED_TRACE(scale);
+    Counts counts;
+    for_each_pair(150, scale, [&](const PolygonPair& pair, test::Random& random, double size) {
+      const Point moved_by = scale == 1 ? translation(random, 4 * size) : Point{0, 0};
+      const Point other = translation(random, size);
+      check_pair({pair, moved_by, {moved_by.x + other.x, moved_by.y + other.y}}, counts);
+    });
+    EXPECT_GT(counts.meeting, 200);
+    // Roundings of subnormal numbers are as large as the edges. Extents of huge ones overflow.
+    if (scale > 0x1p-1000 && scale < 0x1p1000) {
+      EXPECT_GT(counts.told_apart, counts.apart * 3 / 4);
+    }
+  }
+}
+
+TEST(NearbyRelations, AreThoseOfEachTranslation) {
+  int found[3] = {};
+  for_each_pair(1000, 1, [&](const PolygonPair& pair, test::Random& random, double size) {
+    Tally tally;
+    const auto index = [&](Index size_of) {
+      return static_cast<Index>(test::uniform(random, 0, static_cast<int>(size_of) - 1));
+    };
+    std::optional<EdgePair> edges;
+    if (test::uniform(random, 0, 1) == 0) {
+      edges = {index(pair.a.boundary.size()), index(pair.b.boundary.size())};
+    }
+    NearbyRelations relations(pair, edges, tally);
+    Point at = translation(random, size);
+    for (int k = 0; k < 12; ++k) {
+      const Relation expected = relation(PlacedPair(pair, at), tally);
+      EXPECT_EQ(relations.at(at), expected) << at.x << ' ' << at.y;
+      ++found[static_cast<int>(expected) + 1];
+      at = k % 4 == 3 ? translation(random, size)
+                      : Point{at.x, std::nextafter(at.y, k % 2 == 0 ? size : -size)};
+    }
+  });
+  for (const int count : found) {
+    EXPECT_GT(count, 500);
+  }
+}
+
+}  // namespace
+}  // namespace gcv
