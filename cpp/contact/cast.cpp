@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <tuple>
 
-#include "pair_descent.hpp"
+#include "relative_pair.hpp"
 #include "solid_cones.hpp"
 #include "swept_box.hpp"
 
@@ -29,9 +30,13 @@ class FirstEntry {
               motion.x,
               motion.y},
         tally_(tally),
-        offset_(placed.offset()),
-        slack_(placed.pair.slack + 0x1p-48 * (size_of(offset_) + size_of(motion))) {
-    PairDescent(placed.a.tree(), placed.b.tree(), offset_, *this).run();
+        relative_(placed),
+        slack_(placed.pair.slack + 0x1p-48 * (size_of(relative_.offset()) + size_of(motion))),
+        scaled_motion_{relative_.scale() * motion.x, relative_.scale() * motion.y},
+        room_of_sides_(relative_.slack() * (2 * relative_.reach() + relative_.slack())),
+        room_of_paths_(2 * relative_.slack() * size_of(scaled_motion_) +
+                       std::numeric_limits<double>::min()) {
+    relative_.descend(*this);
   }
 
   // The children that a box meets on its way, the first one first. Seen from B, A moves backwards.
@@ -41,8 +46,48 @@ class FirstEntry {
     return swept.any_child(block, limit_, visit);
   }
 
+  bool meet_edges_of_a(const ChainTree::Block& block, Index number, Index j, const Box& box) {
+    return meet_edges(
+        block, box, true,
+        [&] {
+          return may_enter(relative_.edges_of_a(number),
+                           RelativePair::four_times(relative_.edge_of_b(j)));
+        },
+        [&](Index lane) { meet(ChainTree::width * number + lane, j); });
+  }
+  bool meet_edges_of_b(const ChainTree::Block& block, Index number, Index i, const Box& box) {
+    return meet_edges(
+        block, box, false,
+        [&] {
+          return may_enter(RelativePair::four_times(relative_.edge_of_a(i)),
+                           relative_.edges_of_b(number));
+        },
+        [&](Index lane) { meet(i, ChainTree::width * number + lane); });
+  }
+
+  [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
+
+ private:
+  using FourEnds = RelativePair::FourEnds;
+
+  // The edges of a block that are met on the way, and that lanes() has.
+  template <class Lanes, class Meet>
+  bool meet_edges(const ChainTree::Block& block, const Box& box, bool is_of_a, Lanes lanes,
+                  Meet meet) {
+    std::optional<unsigned> all;
+    return any_child(block, box, is_of_a, [&](std::uint32_t lane) {
+      if (!all) {
+        all = lanes();
+      }
+      if ((*all >> lane & 1U) != 0) {
+        meet(lane);
+      }
+      return false;
+    });
+  }
+
   // The start of each of the edges and the other edge.
-  bool meet(Index i, Index j) {
+  void meet(Index i, Index j) {
     const SumPoint p = placed_.a.vertex(i);
     const SumPoint q = placed_.b.vertex(j);
     const SumEdge path_of_q = path_of(q);
@@ -51,7 +96,7 @@ class FirstEntry {
       if (enters_vertices(i, j, path_of_q)) {
         add({ContactKind::vertex_vertex, i, j});
       }
-      return false;
+      return;
     }
     // The motion enters an edge from its right to its left.
     if (p_side > 0 && side(path_of_q, placed_.a.vertex(placed_.a.next(i)), tally_) < 0 &&
@@ -64,12 +109,26 @@ class FirstEntry {
         side(placed_.b.edge(j), p, tally_) <= 0 && !passes_touch(placed_.b, j, path_of_p)) {
       add({ContactKind::vertex_edge, i, j});
     }
-    return false;
+  }
+  // The lanes for which meet() may find something, as bits: what it asks, in doubles.
+  [[nodiscard]] unsigned may_enter(const FourEnds& p, const FourEnds& q) const {
+    const auto& [mx, my] = scaled_motion_;
+    const SimdDouble x = q.from_x - p.from_x;
+    const SimdDouble y = q.from_y - p.from_y;
+    const SimdDouble dx = p.to_x - p.from_x;
+    const SimdDouble dy = p.to_y - p.from_y;
+    const SimdDouble ex = q.to_x - q.from_x;
+    const SimdDouble ey = q.to_y - q.from_y;
+    const SimdDouble q_from = mx * y - my * x;  // on the left of the path of p
+    const SimdDouble q_to = q_from + (mx * ey - my * ex);
+    const SimdDouble p_to = (mx * dy - my * dx) - q_from;  // on the left of the path of q
+    const unsigned starts_aside = (q_from > room_of_paths_).bits();
+    const unsigned starts_ahead = (q_from < -room_of_paths_).bits();
+    const unsigned p_stays = ((p_to > room_of_paths_) | (dx * y - dy * x > room_of_sides_)).bits();
+    const unsigned q_stays = ((q_to < -room_of_paths_) | (x * ey - y * ex > room_of_sides_)).bits();
+    return ~(starts_aside | (starts_ahead & p_stays & q_stays));
   }
 
-  [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
-
- private:
   // The paths of a vertex of B, and of one of A as seen from B, with the direction of the motion.
   [[nodiscard]] SumEdge path_of(const SumPoint& vertex) const {
     return {vertex, {0, 0}, motion_, motion_.x, motion_.y};
@@ -125,8 +184,13 @@ class FirstEntry {
   const Direction direction_;
   const SumEdge path_;  // of the translation
   Tally& tally_;
-  const Point offset_;
+  const RelativePair relative_;
   const double slack_;
+  const Point scaled_motion_;
+  // How far cross products may be off: of vectors between vertices, and of such a one and the
+  // motion.
+  const double room_of_sides_;
+  const double room_of_paths_;
   double limit_ = 1;  // times after this do not matter
   std::optional<Entry> first_;
 };

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cassert>
-#include <cmath>
+#include <limits>
 #include <vector>
 
 #include "convex_relation.hpp"
@@ -18,6 +18,25 @@ namespace gcv {
 namespace {
 
 using Rings = boost::container::small_vector<Index, 4>;
+
+// The side of a vertex that was asked for last. Edges that follow one another ask for the same.
+class LastSide {
+ public:
+  int side_of(Index edge, Index vertex, const SumEdge& line, const SumPoint& point, Tally& tally) {
+    if (edge != edge_ || vertex != vertex_) {
+      edge_ = edge;
+      vertex_ = vertex;
+      side_ = side(line, point, tally);
+    }
+    return side_;
+  }
+
+ private:
+  static constexpr Index none = std::numeric_limits<Index>::max();
+  Index edge_ = none;
+  Index vertex_ = none;
+  int side_ = 0;
+};
 
 // Searches for a place where the boundaries meet and the cones there overlap.
 class OverlapSearch {
@@ -84,13 +103,15 @@ class OverlapSearch {
   bool overlap_at(Index i, Index j) {
     const SumEdge p = placed_.a.edge(i);
     const SumEdge q = placed_.b.edge(j);
-    const int q_end = side(p, placed_.b.vertex(placed_.b.next(j)), tally_);
-    const int q_start = side(p, placed_.b.vertex(j), tally_);
+    const int q_start = of_b_.side_of(i, j, p, placed_.b.vertex(j), tally_);
+    const Index q_next = placed_.b.next(j);
+    const int q_end = of_b_.side_of(i, q_next, p, placed_.b.vertex(q_next), tally_);
     if (!may_meet(q_start, q_end)) {
       return false;
     }
-    const int p_end = side(q, placed_.a.vertex(placed_.a.next(i)), tally_);
-    const int p_start = side(q, placed_.a.vertex(i), tally_);
+    const int p_start = of_a_.side_of(j, i, q, placed_.a.vertex(i), tally_);
+    const Index p_next = placed_.a.next(i);
+    const int p_end = of_a_.side_of(j, p_next, q, placed_.a.vertex(p_next), tally_);
     if (!may_meet(p_start, p_end)) {
       return false;
     }
@@ -180,6 +201,8 @@ class OverlapSearch {
   const PlacedPair& placed_;
   const RelativePair relative_;
   Tally& tally_;
+  LastSide of_a_;  // vertices, and lines of B
+  LastSide of_b_;
   Rings touched_rings_;
   std::optional<EdgePair> found_;
 };

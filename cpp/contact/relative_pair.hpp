@@ -25,6 +25,12 @@ class RelativePair {
 
   // A power of two by which all lengths are multiplied, so that their squares are in range.
   [[nodiscard]] double scale() const { return scale_; }
+  // Of scaled lengths: four times how far coordinates may be off, and how far points of the two are
+  // from each other along both axes together, at most.
+  [[nodiscard]] double slack() const { return slack_; }
+  [[nodiscard]] double reach() const {
+    return scale_ * (extents_ + (std::abs(offset_.x) + std::abs(offset_.y)));
+  }
 
   // The start of an edge of A or B, and its end; or those of four edges.
   template <class Number>
@@ -64,9 +70,23 @@ class RelativePair {
     return x * x + y * y;
   }
 
-  // The lanes in which the lines of two edges do not keep the edges apart, as bits.
+  // The lanes in which neither of two edges lies on one side of the line of the other, as bits,
+  // among others. Their boxes must be near each other.
+  //
+  // Coordinates are off by less than a quarter of the slack. So each cross product is off by less
+  // than 1.1 slack (extents + slack), and a sum of two by less than the room.
   [[nodiscard]] unsigned may_cross(const FourEnds& p, const FourEnds& q) const {
-    return ~(is_aside(p, q) | is_aside(q, p)).bits() & SimdDouble::all;
+    const SimdDouble dx = p.to_x - p.from_x;
+    const SimdDouble dy = p.to_y - p.from_y;
+    const SimdDouble ex = q.to_x - q.from_x;
+    const SimdDouble ey = q.to_y - q.from_y;
+    const SimdDouble x = q.from_x - p.from_x;
+    const SimdDouble y = q.from_y - p.from_y;
+    const SimdDouble cross = dx * ey - dy * ex;
+    const SimdDouble q_from = dx * y - dy * x;  // on the left of p
+    const SimdDouble p_from = x * ey - y * ex;  // on the left of q
+    return ~(are_aside(q_from, q_from + cross) | are_aside(p_from, p_from - cross)).bits() &
+           SimdDouble::all;
   }
 
   static double square(double x, double y) { return x * x + y * y; }
@@ -94,22 +114,9 @@ class RelativePair {
   }
 
  private:
-  // Does q lie on one side of the line of p? Coordinates are off by less than a quarter of the
-  // slack, so a cross product of two vectors by less than the slack times what they measure and the
-  // slack.
-  [[nodiscard]] DoubleMask is_aside(const FourEnds& p, const FourEnds& q) const {
-    const SimdDouble dx = p.to_x - p.from_x;
-    const SimdDouble dy = p.to_y - p.from_y;
-    const SimdDouble start_x = q.from_x - p.from_x;
-    const SimdDouble start_y = q.from_y - p.from_y;
-    const SimdDouble end_x = q.to_x - p.from_x;
-    const SimdDouble end_y = q.to_y - p.from_y;
-    const SimdDouble start = dx * start_y - dy * start_x;
-    const SimdDouble end = dx * end_y - dy * end_x;
-    const SimdDouble size = magnitude(dx) + magnitude(dy) + magnitude(start_x) +
-                            magnitude(start_y) + magnitude(end_x) + magnitude(end_y);
-    const SimdDouble room = slack_ * (size + slack_);
-    return (smaller(start, end) > room) | (0 - larger(start, end) > room);
+  // Are both above, or both below 0?
+  [[nodiscard]] DoubleMask are_aside(const SimdDouble& p, const SimdDouble& q) const {
+    return (smaller(p, q) > room_) | (larger(p, q) < -room_);
   }
 
   static double select(bool is_first, double p, double q) { return is_first ? p : q; }
@@ -134,10 +141,11 @@ class RelativePair {
         edges_a_(blocks_of_edges(a)),
         edges_b_(blocks_of_edges(b)),
         offset_(placed.offset()),
-        scale_(scale_for_squares(extent(a.tree.box) + extent(b.tree.box) + std::abs(offset_.x) +
-                                 std::abs(offset_.y))),
+        extents_(extent(a.tree.box) + extent(b.tree.box)),
+        scale_(scale_for_squares(extents_ + std::abs(offset_.x) + std::abs(offset_.y))),
         slack_(scale_ *
-               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))) {}
+               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
+        room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
 
   static const SweptSphereBlock* blocks_of_edges(const ChainIndex& index) {
     return index.spheres.data() + index.tree.first_block.back();
@@ -149,8 +157,10 @@ class RelativePair {
   const SweptSphereBlock* const edges_a_;
   const SweptSphereBlock* const edges_b_;
   const Point offset_;
+  const double extents_;  // of both
   const double scale_;
   const double slack_;
+  const double room_;  // of cross products
 };
 
 }  // namespace gcv

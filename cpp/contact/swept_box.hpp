@@ -27,17 +27,13 @@ struct SweptBox {
     SimdDouble last_y;
     times(block.x0, block.x1, box.x0, box.x1, motion.x, first_x, last_x);
     times(block.y0, block.y1, box.y0, box.y1, motion.y, first_y, last_y);
-    double first[ChainTree::width];
-    double last[ChainTree::width];
-    larger(first_x, first_y).store(first);
-    smaller(last_x, last_y).store(last);
-    unsigned lanes = 0;
-    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
-      const double reach = (1 + 0x1p-48) * last[lane] + 0x1p-48;
-      const bool is_met = !(first[lane] > reach) && !(last[lane] < -0x1p-48);
-      lanes |= static_cast<unsigned>(is_met) << lane;
-    }
-    return any_in_order(lanes & children_of(block), first, limit, visit);
+    const SimdDouble first = larger(first_x, first_y);
+    const SimdDouble last = smaller(last_x, last_y);
+    const SimdDouble reach = (1 + 0x1p-48) * last + 0x1p-48;
+    const unsigned missed = ((first > reach) | (last < -0x1p-48)).bits();
+    double times_met[ChainTree::width];
+    first.store(times_met);
+    return any_in_order(children_of(block) & ~missed, times_met, limit, visit);
   }
 
  private:
