@@ -341,7 +341,8 @@ def test_interrupt(folder: Path) -> None:
         stderr=subprocess.PIPE,
         text=True,
     )
-    while len(os.listdir(f"/proc/{program.pid}/task")) < 2:  # until it computes
+    # Until it computes.
+    while program.poll() is None and len(os.listdir(f"/proc/{program.pid}/task")) < 2:
         time.sleep(0.01)
     program.send_signal(signal.SIGINT)
     out, errors = program.communicate()
