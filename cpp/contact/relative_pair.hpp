@@ -114,7 +114,20 @@ class RelativePair {
   }
 
  private:
-  // Are both above, or both below 0?
+  RelativePair(const PlacedPair& placed, const ChainIndex& a, const ChainIndex& b)
+      : placed_(placed),
+        a_(a.tree),
+        b_(b.tree),
+        edges_a_(blocks_of_edges(a)),
+        edges_b_(blocks_of_edges(b)),
+        offset_(placed.offset()),
+        extents_(extent(a.tree.box) + extent(b.tree.box)),
+        scale_(scale_for_squares(extents_ + std::abs(offset_.x) + std::abs(offset_.y))),
+        slack_(scale_ *
+               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
+        room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
+
+  // Are both above 0, or both below, by more than roundings are?
   [[nodiscard]] DoubleMask are_aside(const SimdDouble& p, const SimdDouble& q) const {
     return (smaller(p, q) > room_) | (larger(p, q) < -room_);
   }
@@ -134,19 +147,6 @@ class RelativePair {
             scale_ * (SimdDouble::load(edges.x1) + offset.x),
             scale_ * (SimdDouble::load(edges.y1) + offset.y)};
   }
-  RelativePair(const PlacedPair& placed, const ChainIndex& a, const ChainIndex& b)
-      : placed_(placed),
-        a_(a.tree),
-        b_(b.tree),
-        edges_a_(blocks_of_edges(a)),
-        edges_b_(blocks_of_edges(b)),
-        offset_(placed.offset()),
-        extents_(extent(a.tree.box) + extent(b.tree.box)),
-        scale_(scale_for_squares(extents_ + std::abs(offset_.x) + std::abs(offset_.y))),
-        slack_(scale_ *
-               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
-        room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
-
   static const SweptSphereBlock* blocks_of_edges(const ChainIndex& index) {
     return index.spheres.data() + index.tree.first_block.back();
   }
