@@ -260,9 +260,20 @@ Relation relation(const PlacedPair& placed, Tally& tally) {
 }
 
 Relation NearbyRelations::at(const Point& translation) {
-  const PlacedPair placed(pair_, translation);
+  const PlacedPair placed(pair_, translation_a_, translation);
   return are_small_and_convex(placed) ? convex_relation(placed, tally_)
                                       : general_relation(placed, edges_, tally_);
+}
+
+// Edges that cross where rings touch in both polygons show no overlap.
+bool NearbyRelations::overlaps_around(const Point& translation, double moved_by) const {
+  if (!edges_ || !pair_.a.touches.on(edges_->i).empty() || !pair_.b.touches.on(edges_->j).empty()) {
+    return false;
+  }
+  const PlacedPair placed(pair_, translation_a_, translation);
+  const RelativePair relative(placed);
+  return relative.cross_nearby(relative.edge_of_a(edges_->i), relative.edge_of_b(edges_->j),
+                               moved_by);
 }
 
 }  // namespace gcv

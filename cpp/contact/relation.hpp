@@ -23,17 +23,22 @@ struct EdgePair {
 // Its solid is one for each ring, and each of these is asked alone.
 Relation relation(const PlacedPair& placed, Tally& tally);
 
-// The same at one translation after another. Edges that have shown an overlap are asked first: they
-// do so again at translations nearby. So may `edges` at the first one, if there are some.
+// The same at one translation of B after another. Edges that have shown an overlap are asked first:
+// they do so again at translations nearby. So may `edges` at the first one, if there are some.
 class NearbyRelations {
  public:
-  NearbyRelations(const PolygonPair& pair, const std::optional<EdgePair>& edges, Tally& tally)
-      : pair_(pair), edges_(edges), tally_(tally) {}
+  NearbyRelations(const PolygonPair& pair, const Point& translation_a,
+                  const std::optional<EdgePair>& edges, Tally& tally)
+      : pair_(pair), translation_a_(translation_a), edges_(edges), tally_(tally) {}
 
   Relation at(const Point& translation);
+  // Is there an overlap wherever B is moved to by at most that much along each axis, from a
+  // translation at which there is one? False if edges that cross do not tell, in doubles.
+  [[nodiscard]] bool overlaps_around(const Point& translation, double moved_by) const;
 
  private:
-  const PolygonPair& pair_;
+  PolygonPair pair_;
+  Point translation_a_;
   std::optional<EdgePair> edges_;
   Tally& tally_;
 };

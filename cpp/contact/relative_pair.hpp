@@ -3,6 +3,7 @@
 // A placed pair in doubles, seen from the first vertex of A.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "pair_descent.hpp"
@@ -76,17 +77,21 @@ class RelativePair {
   // Coordinates are off by less than a quarter of the slack. So each cross product is off by less
   // than 1.1 slack (extents + slack), and a sum of two by less than the room.
   [[nodiscard]] unsigned may_cross(const FourEnds& p, const FourEnds& q) const {
-    const SimdDouble dx = p.to_x - p.from_x;
-    const SimdDouble dy = p.to_y - p.from_y;
-    const SimdDouble ex = q.to_x - q.from_x;
-    const SimdDouble ey = q.to_y - q.from_y;
-    const SimdDouble x = q.from_x - p.from_x;
-    const SimdDouble y = q.from_y - p.from_y;
-    const SimdDouble cross = dx * ey - dy * ex;
-    const SimdDouble q_from = dx * y - dy * x;  // on the left of p
-    const SimdDouble p_from = x * ey - y * ex;  // on the left of q
+    const auto [q_from, p_from, cross] = cross_products(p, q);
     return ~(are_aside(q_from, q_from + cross) | are_aside(p_from, p_from - cross)).bits() &
            SimdDouble::all;
+  }
+
+  // Do two edges cross, wherever B is moved to by at most that much along each axis? False where
+  // doubles do not tell.
+  [[nodiscard]] bool cross_nearby(const Ends& p, const Ends& q, double moved_by) const {
+    const double slack = slack_ + 4 * scale_ * moved_by;
+    const double room = 4 * slack * (reach() + slack);
+    const auto are_opposite = [&](double s, double t) {
+      return std::min(s, t) < -room && std::max(s, t) > room;
+    };
+    const auto [q_from, p_from, cross] = cross_products(p, q);
+    return are_opposite(q_from, q_from + cross) && are_opposite(p_from, p_from - cross);
   }
 
   static double square(double x, double y) { return x * x + y * y; }
@@ -127,6 +132,24 @@ class RelativePair {
                (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
         room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
 
+  // How far q begins on the left of the line of p, and p on the left of that of q, as cross
+  // products; and how much further left of p, and less far left of q, the other ends are.
+  template <class Number>
+  struct CrossProducts {
+    Number q_from;
+    Number p_from;
+    Number cross;
+  };
+  template <class Number>
+  static CrossProducts<Number> cross_products(const EndsOf<Number>& p, const EndsOf<Number>& q) {
+    const Number dx = p.to_x - p.from_x;
+    const Number dy = p.to_y - p.from_y;
+    const Number ex = q.to_x - q.from_x;
+    const Number ey = q.to_y - q.from_y;
+    const Number x = q.from_x - p.from_x;
+    const Number y = q.from_y - p.from_y;
+    return {dx * y - dy * x, x * ey - y * ex, dx * ey - dy * ex};
+  }
   // Are both above 0, or both below, by more than roundings are?
   [[nodiscard]] DoubleMask are_aside(const SimdDouble& p, const SimdDouble& q) const {
     return (smaller(p, q) > room_) | (larger(p, q) < -room_);

@@ -55,23 +55,21 @@ bool is_within_two_ulps(int steps, int side_of_exact) {
 
 std::optional<Point> NearbyPositions::other(std::size_t k) {
   static const AllSteps steps = all_steps();
-  if (!sides_) {
+  const Steps& step = steps[k];
+  if (!sides_ && step.square() >= 4) {
     sides_ = {compare_x(exact_, shift_, nearest_.x, tally_),
               compare_y(exact_, shift_, nearest_.y, tally_)};
   }
-  const Steps& step = steps[k];
   const Point position{stepped(nearest_.x, step.x), stepped(nearest_.y, step.y)};
-  const bool is_near = is_within_two_ulps(step.x, sides_->x) &&
-                       is_within_two_ulps(step.y, sides_->y) && std::isfinite(position.x) &&
-                       std::isfinite(position.y);
+  const bool is_near = (!sides_ || (is_within_two_ulps(step.x, sides_->x) &&
+                                    is_within_two_ulps(step.y, sides_->y))) &&
+                       std::isfinite(position.x) && std::isfinite(position.y);
   return is_near ? std::optional(position) : std::nullopt;
 }
 
 UsablePosition usable_position(const PolygonPair& pair, const ExactPoint& exact,
                                const std::optional<EdgePair>& edges, Tally& tally) {
-  NearbyRelations relations(pair, edges, tally);
-  return usable_position(exact, {0, 0}, tally,
-                         [&](const Point& position) { return relations.at(position); });
+  return usable_position(exact, {0, 0}, tally, NearbyRelations(pair, {0, 0}, edges, tally));
 }
 
 }  // namespace gcv

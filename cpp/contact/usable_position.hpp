@@ -3,7 +3,9 @@
 // A translation in doubles, near an exact one, at which a polygon overlaps nothing.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "exact_point.hpp"
@@ -31,6 +33,11 @@ class NearbyPositions {
   // coordinate, or beyond the largest double.
   static constexpr std::size_t other_count = 24;
   [[nodiscard]] std::optional<Point> other(std::size_t k);
+  // How far they are from the nearest one along an axis, at most.
+  static double furthest_from(const Point& nearest) {
+    return 0x1p-50 * std::max(std::abs(nearest.x), std::abs(nearest.y)) +
+           std::numeric_limits<double>::min();
+  }
 
  private:
   const ExactPoint& exact_;
@@ -45,23 +52,27 @@ class NearbyPositions {
 };
 
 // Of the translations in doubles within 2 ulps of the exact one in each coordinate, the nearest one
-// at which relation_at(translation) is no overlap. The nearest of all, if there is none. The
-// coordinates are infinite if they are beyond the largest double.
-template <class RelationAt>
+// at which relations.at(translation) is no overlap. The nearest of all, if there is none, which
+// relations.overlaps_around(translation, distance) may know at once. The coordinates are infinite
+// if they are beyond the largest double.
+template <class Relations>
 UsablePosition usable_position(const ExactPoint& exact, const Point& shift, Tally& tally,
-                               RelationAt relation_at) {
+                               Relations&& relations) {
   NearbyPositions nearby(exact, shift, tally);
   const Point& nearest = nearby.nearest();
   if (!std::isfinite(nearest.x) || !std::isfinite(nearest.y)) {
     return {nearest, Relation::overlapping};
   }
-  const Relation there = relation_at(nearest);
+  const Relation there = relations.at(nearest);
   if (there != Relation::overlapping) {
     return {nearest, there};
   }
+  if (relations.overlaps_around(nearest, NearbyPositions::furthest_from(nearest))) {
+    return {nearest, Relation::overlapping};
+  }
   for (std::size_t k = 0; k < NearbyPositions::other_count; ++k) {
     if (const std::optional<Point> position = nearby.other(k)) {
-      const Relation relation_there = relation_at(*position);
+      const Relation relation_there = relations.at(*position);
       if (relation_there != Relation::overlapping) {
         return {*position, relation_there};
       }

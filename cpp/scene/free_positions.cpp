@@ -22,8 +22,7 @@ bool holds(const Box& box, const Box& other) {
 }  // namespace
 
 UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) const {
-  return usable_position(place, {0, 0}, tally,
-                         [&](const Point& p) { return questions_.relation(p, tally); });
+  return usable_position(place, {0, 0}, tally, NearbySceneRelations(questions_, tally));
 }
 
 // Goes into the middles of what is free around the place, by distances that double, up to 2^20
@@ -75,8 +74,12 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
       distance = infinity;
     }
     const JoinedSolids solids = join_solids_near(scene_, query_, near);
-    const Operands operands{*solids.boundary, reflected_,
-                            merge_directions(*solids.boundary, reflected_, tally)};
+    Operands operands{*solids.boundary, reflected_,
+                      merge_directions(*solids.boundary, reflected_, tally)};
+    if (!is_all) {
+      const Point place = operands.relative_place(position);
+      operands.focus = widened(box_of(place, place), distance + slack_of(operands));
+    }
     FreePlaceSearch search(operands, wanted_, tally);
     const std::optional<FreePlace> place = search.nearest(position, distance, {}, task, 1);
     if (place && (is_all || place->distance.hi <= distance)) {

@@ -196,6 +196,26 @@ Relation SceneQuestions::relation(const Point& position, Tally& tally) const {
   return result;
 }
 
+Relation SceneQuestions::relation(const Point& position, Tally& tally,
+                                  std::optional<NearbyRelations>& overlapped) const {
+  Relation result = Relation::apart;
+  visit_near(position, [&](const Solid& solid) {
+    NearbyRelations relations(PolygonPair(solid.boundary, moving_), solid.position, {}, tally);
+    result = std::min(result, relations.at(position));
+    if (result == Relation::overlapping) {
+      overlapped.emplace(relations);
+    }
+    return result == Relation::overlapping;
+  });
+  return result;
+}
+
+Relation NearbySceneRelations::at(const Point& position) {
+  return overlapped_ && overlapped_->at(position) == Relation::overlapping
+             ? Relation::overlapping
+             : questions_.relation(position, tally_, overlapped_);
+}
+
 SceneSeparation SceneQuestions::distance(const Point& position, Tally& tally) const {
   NearestSolid search(scene_, query_, moving_, position, tally);
   scene_.boxes().search(search);
@@ -220,7 +240,7 @@ Id SceneQuestions::first_overlap(const Point& position, Tally& tally) const {
 
 SceneImpact SceneQuestions::cast(const Point& position, const Point& motion, Tally& tally) const {
   const auto usable = [&](const ExactPoint& exact, const Point& shift) {
-    return usable_position(exact, shift, tally, [&](const Point& p) { return relation(p, tally); });
+    return usable_position(exact, shift, tally, NearbySceneRelations(*this, tally));
   };
   const Id overlap = first_overlap(position, tally);
   FirstHit search(scene_, query_, moving_, position, motion, overlap, tally);

@@ -32,6 +32,10 @@ class SceneQuestions {
   [[nodiscard]] SceneSeparation distance(const Point& position, Tally& tally) const;
   [[nodiscard]] SceneImpact cast(const Point& position, const Point& motion, Tally& tally) const;
 
+  // Puts the relations to a solid there that it overlaps, if there is one.
+  Relation relation(const Point& position, Tally& tally,
+                    std::optional<NearbyRelations>& overlapped) const;
+
  private:
   // The container, if the query admits it.
   [[nodiscard]] std::optional<Solid> container() const {
@@ -47,6 +51,24 @@ class SceneQuestions {
   const Scene& scene_;
   const Query& query_;
   const Boundary& moving_;
+};
+
+// The relation at one position after another: a solid that was overlapped is asked first.
+class NearbySceneRelations {
+ public:
+  NearbySceneRelations(const SceneQuestions& questions, Tally& tally)
+      : questions_(questions), tally_(tally) {}
+
+  Relation at(const Point& position);
+  // As that of NearbyRelations.
+  [[nodiscard]] bool overlaps_around(const Point& position, double moved_by) const {
+    return overlapped_ && overlapped_->overlaps_around(position, moved_by);
+  }
+
+ private:
+  const SceneQuestions& questions_;
+  Tally& tally_;
+  std::optional<NearbyRelations> overlapped_;
 };
 
 }  // namespace gcv

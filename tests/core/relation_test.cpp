@@ -127,7 +127,7 @@ TEST(NearbyRelations, AreThoseOfEachTranslation) {
     if (test::uniform(random, 0, 1) == 0) {
       edges = {index(pair.a.boundary.size()), index(pair.b.boundary.size())};
     }
-    NearbyRelations relations(pair, edges, tally);
+    NearbyRelations relations(pair, {0, 0}, edges, tally);
     Point at = translation(random, size);
     for (int k = 0; k < 12; ++k) {
       const Relation expected = relation(PlacedPair(pair, at), tally);
@@ -139,6 +139,56 @@ TEST(NearbyRelations, AreThoseOfEachTranslation) {
   });
   for (const int count : found) {
     EXPECT_GT(count, 500);
+  }
+}
+
+// At the corners of the square that it tells of, and on its sides.
+TEST(NearbyRelations, OverlapAroundWhereTheySaySo) {
+  int certain = 0;
+  int uncertain = 0;
+  for_each_pair(1000, 1, [&](const PolygonPair& pair, test::Random& random, double size) {
+    Tally tally;
+    const Point moved_a = translation(random, 4 * size);
+    const Point other = translation(random, size);
+    const Point at{moved_a.x + other.x, moved_a.y + other.y};
+    NearbyRelations relations(pair, moved_a, {}, tally);
+    if (relations.at(at) != Relation::overlapping) {
+      return;
+    }
+    for (const double moved_by : {0x1p-50 * size, 0x1p-20 * size, size / 64, size / 8}) {
+      if (!relations.overlaps_around(at, moved_by)) {
+        ++uncertain;
+        continue;
+      }
+      ++certain;
+      for (int x = -1; x <= 1; ++x) {
+        for (int y = -1; y <= 1; ++y) {
+          const Point near{at.x + x * moved_by, at.y + y * moved_by};
+          EXPECT_EQ(relation(PlacedPair(pair, moved_a, near), tally), Relation::overlapping)
+              << near.x << ' ' << near.y;
+        }
+      }
+    }
+  });
+  EXPECT_GT(certain, 2000);
+  EXPECT_GT(uncertain, 1000);
+}
+
+// Of edges in which another ring touches, whatever they cross.
+TEST(NearbyRelations, DoNotTellWhereRingsTouch) {
+  const test::PolygonRings diamonds{{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
+                                    {{2, 0}, {1, 1}, {2, 2}, {3, 1}}};
+  const RegionOperand a = test::region_operand(diamonds, "a");
+  Tally tally;
+  const PolygonPair pair(*a.polygon, *a.polygon);
+  for (Index i = 0; i < a.polygon->boundary().size(); ++i) {
+    for (Index j = 0; j < a.polygon->boundary().size(); ++j) {
+      const bool touch = !pair.a.touches.on(i).empty() || !pair.b.touches.on(j).empty();
+      const NearbyRelations relations(pair, {0, 0}, EdgePair{i, j}, tally);
+      for (const double y : {0.25, -0.25}) {
+        EXPECT_FALSE(touch && relations.overlaps_around({0.5, y}, 0));
+      }
+    }
   }
 }
 
