@@ -46,45 +46,26 @@ class FirstEntry {
     return swept.any_child(block, limit_, visit);
   }
 
-  bool meet_edges_of_a(const ChainTree::Block& block, Index number, Index j, const Box& box) {
-    return meet_edges(
-        block, box, true,
-        [&] {
-          return may_enter(relative_.edges_of_a(number),
-                           RelativePair::four_times(relative_.edge_of_b(j)));
-        },
-        [&](Index lane) { meet(ChainTree::width * number + lane, j); });
-  }
-  bool meet_edges_of_b(const ChainTree::Block& block, Index number, Index i, const Box& box) {
-    return meet_edges(
-        block, box, false,
-        [&] {
-          return may_enter(RelativePair::four_times(relative_.edge_of_a(i)),
-                           relative_.edges_of_b(number));
-        },
-        [&](Index lane) { meet(i, ChainTree::width * number + lane); });
+  // The edges of the block that are met on the way.
+  template <bool is_of_a>
+  bool meet_edges(const ChainTree::Block& block, const Box& box,
+                  const EdgesOfBlock<is_of_a>& edges) {
+    std::optional<unsigned> may;
+    return any_child(block, box, is_of_a, [&](std::uint32_t lane) {
+      if (!may) {
+        may = may_enter(relative_.edges_of_a(edges), relative_.edges_of_b(edges));
+      }
+      if ((*may >> lane & 1U) != 0) {
+        meet(edges.i(lane), edges.j(lane));
+      }
+      return false;
+    });
   }
 
   [[nodiscard]] const std::optional<Entry>& entry() const { return first_; }
 
  private:
   using FourEnds = RelativePair::FourEnds;
-
-  // The edges of a block that are met on the way, and that lanes() has.
-  template <class Lanes, class Meet>
-  bool meet_edges(const ChainTree::Block& block, const Box& box, bool is_of_a, Lanes lanes,
-                  Meet meet) {
-    std::optional<unsigned> all;
-    return any_child(block, box, is_of_a, [&](std::uint32_t lane) {
-      if (!all) {
-        all = lanes();
-      }
-      if ((*all >> lane & 1U) != 0) {
-        meet(lane);
-      }
-      return false;
-    });
-  }
 
   // The start of each of the edges and the other edge.
   void meet(Index i, Index j) {
@@ -112,21 +93,22 @@ class FirstEntry {
   }
   // The lanes for which meet() may find something, as bits: what it asks, in doubles.
   [[nodiscard]] unsigned may_enter(const FourEnds& p, const FourEnds& q) const {
-    const auto& [mx, my] = scaled_motion_;
-    const SimdDouble x = q.from_x - p.from_x;
-    const SimdDouble y = q.from_y - p.from_y;
-    const SimdDouble dx = p.to_x - p.from_x;
-    const SimdDouble dy = p.to_y - p.from_y;
-    const SimdDouble ex = q.to_x - q.from_x;
-    const SimdDouble ey = q.to_y - q.from_y;
-    const SimdDouble q_from = mx * y - my * x;  // on the left of the path of p
-    const SimdDouble q_to = q_from + (mx * ey - my * ex);
-    const SimdDouble p_to = (mx * dy - my * dx) - q_from;  // on the left of the path of q
-    const unsigned starts_aside = (q_from > room_of_paths_).bits();
-    const unsigned starts_ahead = (q_from < -room_of_paths_).bits();
-    const unsigned p_stays = ((p_to > room_of_paths_) | (dx * y - dy * x > room_of_sides_)).bits();
-    const unsigned q_stays = ((q_to < -room_of_paths_) | (x * ey - y * ex > room_of_sides_)).bits();
+    const SimdDouble p_from = left_of_motion(p.from_x, p.from_y);
+    const SimdDouble p_to = left_of_motion(p.to_x, p.to_y);
+    const SimdDouble q_from = left_of_motion(q.from_x, q.from_y);
+    const SimdDouble q_to = left_of_motion(q.to_x, q.to_y);
+    const auto sides = RelativePair::cross_products(p, q);
+    const unsigned starts_aside = (q_from - p_from > room_of_paths_).bits();
+    const unsigned starts_ahead = (p_from - q_from > room_of_paths_).bits();
+    const unsigned p_stays =
+        ((p_to - q_from > room_of_paths_) | (sides.q_from > room_of_sides_)).bits();
+    const unsigned q_stays =
+        ((p_from - q_to > room_of_paths_) | (sides.p_from > room_of_sides_)).bits();
     return ~(starts_aside | (starts_ahead & p_stays & q_stays));
+  }
+  // How far points lie on the left of the line of the motion, in times of its length.
+  [[nodiscard]] SimdDouble left_of_motion(const SimdDouble& x, const SimdDouble& y) const {
+    return scaled_motion_.x * y - scaled_motion_.y * x;
   }
 
   // The paths of a vertex of B, and of one of A as seen from B, with the direction of the motion.
@@ -187,8 +169,8 @@ class FirstEntry {
   const RelativePair relative_;
   const double slack_;
   const Point scaled_motion_;
-  // How far cross products may be off: of vectors between vertices, and of such a one and the
-  // motion.
+  // More than cross products are off by: those of vectors between vertices; and with the motion,
+  // the differences of two.
   const double room_of_sides_;
   const double room_of_paths_;
   double limit_ = 1;  // times after this do not matter
@@ -243,8 +225,7 @@ Impact cast(const PlacedPair& placed, const Point& motion, Tally& tally) {
     if (const std::optional<Entry> entry = first_entry(placed, motion, tally)) {
       const ContactName& name = entry->name;
       return {true, time_of(*entry, tally),
-              usable_position(placed.pair, entry->place(),
-                              std::optional<EdgePair>({name.i, name.j}), tally),
+              usable_position(placed.pair, entry->place(), EdgePair{name.i, name.j}, tally),
               contact_on_entry(placed, name, motion, tally)};
     }
   }

@@ -31,18 +31,16 @@ class NearestPairs {
   }
 
   // The start of each of the edges and the other edge.
-  bool meet_edges_of_a(const ChainTree::Block& /*block*/, Index number, Index j,
-                       const Box& /*box*/) {
-    const Index first = ChainTree::width * number;
-    add(relative_.edges_of_a(number), RelativePair::four_times(relative_.edge_of_b(j)), placed_.a,
-        first, [&](Index lane) { return std::pair(first + lane, j); });
-    return false;
-  }
-  bool meet_edges_of_b(const ChainTree::Block& /*block*/, Index number, Index i,
-                       const Box& /*box*/) {
-    const Index first = ChainTree::width * number;
-    add(RelativePair::four_times(relative_.edge_of_a(i)), relative_.edges_of_b(number), placed_.b,
-        first, [&](Index lane) { return std::pair(i, first + lane); });
+  template <bool is_of_a>
+  bool meet_edges(const ChainTree::Block& block, const Box& /*box*/,
+                  const EdgesOfBlock<is_of_a>& edges) {
+    const FourEnds p = relative_.edges_of_a(edges);
+    const FourEnds q = relative_.edges_of_b(edges);
+    const unsigned lanes = children_of(block);
+    add(ContactKind::edge_vertex, lanes, edges,
+        RelativePair::square_of_distance(p, q.from_x, q.from_y));
+    add(ContactKind::vertex_edge, lanes, edges,
+        RelativePair::square_of_distance(q, p.from_x, p.from_y));
     return false;
   }
 
@@ -63,22 +61,15 @@ class NearestPairs {
   };
   using FourEnds = RelativePair::FourEnds;
 
-  // Four edges of A and four of B, of which those of one polygon are the same or begin there.
-  template <class PairOf>
-  void add(const FourEnds& p, const FourEnds& q, const PlacedPolygon& polygon, Index first,
-           PairOf pair_of) {
-    const Index count = std::min(polygon.boundary.layout.size() - first, ChainTree::width);
-    const auto add_all = [&](ContactKind kind, const SimdDouble& squares) {
-      double each[ChainTree::width];
-      squares.store(each);
-      const unsigned far = (squares > limit_).bits();
-      for_each_lane(~far & ((1U << count) - 1), [&](Index lane) {
-        const auto [i, j] = pair_of(lane);
-        add({kind, i, j}, each[lane]);
-      });
-    };
-    add_all(ContactKind::edge_vertex, RelativePair::square_of_distance(p, q.from_x, q.from_y));
-    add_all(ContactKind::vertex_edge, RelativePair::square_of_distance(q, p.from_x, p.from_y));
+  template <bool is_of_a>
+  void add(ContactKind kind, unsigned lanes, const EdgesOfBlock<is_of_a>& edges,
+           const SimdDouble& squares) {
+    double each[ChainTree::width];
+    squares.store(each);
+    const unsigned far = (squares > limit_).bits();
+    for_each_lane(lanes & ~far, [&](std::uint32_t lane) {
+      add({kind, edges.i(lane), edges.j(lane)}, each[lane]);
+    });
   }
   void add(const ContactName& name, double square) {
     if (square > limit_) {

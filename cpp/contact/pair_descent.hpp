@@ -42,12 +42,29 @@ bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit
 //     beside a node of the other polygon with that box, seen from the first vertex of the polygon
 //     of the block. Returns true as soon as a visit does.
 //   meet(i, j): a pair of edges. Ends the search by returning true.
-// In place of meet() it may have these, for an edge and all edges of a block of the other tree:
-//   meet_edges_of_a(block, number, j, box), meet_edges_of_b(block, number, i, box): with the number
-//     of the block among those of edges; the box of the edge is given as above.
+// In place of meet() it may have this, for an edge and all edges of a block of the other tree:
+//   meet_edges(block, box, edges): the block and the box of the edge as above.
+
+// All edges of a block of A or B, and an edge of the other one.
+template <bool is_of_a>
+struct EdgesOfBlock {
+  Index number;  // of the block among those of edges
+  Index other;   // the edge
+
+  // The pair in a lane.
+  [[nodiscard]] Index i(std::uint32_t lane) const { return is_of_a ? in_block(lane) : other; }
+  [[nodiscard]] Index j(std::uint32_t lane) const { return is_of_a ? other : in_block(lane); }
+
+ private:
+  [[nodiscard]] Index in_block(std::uint32_t lane) const {
+    return ChainTree::width * number + lane;
+  }
+};
+
 template <class Search>
-concept MeetsBlocks = requires(Search search, const ChainTree::Block& block, const Box& box) {
-  search.meet_edges_of_b(block, Index{}, Index{}, box);
+concept MeetsBlocks = requires(Search search, const ChainTree::Block& block, const Box& box,
+                               const EdgesOfBlock<true>& edges) {
+  search.meet_edges(block, box, edges);
 };
 
 template <class Search>
@@ -80,7 +97,7 @@ class PairDescent {
       const ChainTree::Block& block = a_.blocks[a_.block_below(a.place)];
       if constexpr (MeetsBlocks<Search>) {
         if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {
-          return search_.meet_edges_of_a(block, a.place.index, b.place.index, b.box);
+          return search_.meet_edges(block, b.box, EdgesOfBlock<true>{a.place.index, b.place.index});
         }
       }
       return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
@@ -91,7 +108,7 @@ class PairDescent {
     const Box box = moved(a.box, {-offset_.x, -offset_.y});
     if constexpr (MeetsBlocks<Search>) {
       if (a_is_edge && b_.is_edge(ChainTree::child(b.place, 0))) {
-        return search_.meet_edges_of_b(block, b.place.index, a.place.index, box);
+        return search_.meet_edges(block, box, EdgesOfBlock<false>{b.place.index, a.place.index});
       }
     }
     return search_.any_child(block, box, false, [&](std::uint32_t lane) {

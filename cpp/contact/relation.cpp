@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "convex_relation.hpp"
-#include "pair_descent.hpp"
 #include "point_in_polygon.hpp"
 #include "relative_pair.hpp"
 #include "solid_cones.hpp"
@@ -56,25 +55,14 @@ class OverlapSearch {
   bool any_child(const ChainTree::Block& block, const Box& box, bool /*is_of_a*/, Visit visit) {
     return any_lane(near_children(block, box), visit);
   }
-  bool meet_edges_of_a(const ChainTree::Block& block, Index number, Index j, const Box& box) {
+  template <bool is_of_a>
+  bool meet_edges(const ChainTree::Block& block, const Box& box,
+                  const EdgesOfBlock<is_of_a>& edges) {
     const unsigned near = near_children(block, box);
-    if (near == 0) {
-      return false;
-    }
-    const RelativePair::Ends edge = relative_.edge_of_b(j);
-    return any_lane(
-        near & relative_.may_cross(relative_.edges_of_a(number), RelativePair::four_times(edge)),
-        [&](Index lane) { return meet(ChainTree::width * number + lane, j); });
-  }
-  bool meet_edges_of_b(const ChainTree::Block& block, Index number, Index i, const Box& box) {
-    const unsigned near = near_children(block, box);
-    if (near == 0) {
-      return false;
-    }
-    const RelativePair::Ends edge = relative_.edge_of_a(i);
-    return any_lane(
-        near & relative_.may_cross(RelativePair::four_times(edge), relative_.edges_of_b(number)),
-        [&](Index lane) { return meet(i, ChainTree::width * number + lane); });
+    return near != 0 &&
+           any_lane(
+               near & relative_.may_cross(relative_.edges_of_a(edges), relative_.edges_of_b(edges)),
+               [&](std::uint32_t lane) { return meet(edges.i(lane), edges.j(lane)); });
   }
 
   bool meet(Index i, Index j) {
@@ -236,7 +224,10 @@ bool is_inside(const PlacedPair& placed, const Point& offset, const Rings& touch
 }
 
 // Asks the edges first, if there are some, and puts those there that have shown an overlap.
-Relation general_relation(const PlacedPair& placed, std::optional<EdgePair>& edges, Tally& tally) {
+Relation relation(const PlacedPair& placed, std::optional<EdgePair>& edges, Tally& tally) {
+  if (are_small_and_convex(placed)) {
+    return convex_relation(placed, tally);
+  }
   OverlapSearch search(placed, tally);
   if ((edges && search.meet(edges->i, edges->j)) || search.run()) {
     edges = search.found();
@@ -252,17 +243,12 @@ Relation general_relation(const PlacedPair& placed, std::optional<EdgePair>& edg
 }  // namespace
 
 Relation relation(const PlacedPair& placed, Tally& tally) {
-  if (are_small_and_convex(placed)) {
-    return convex_relation(placed, tally);
-  }
   std::optional<EdgePair> edges;
-  return general_relation(placed, edges, tally);
+  return relation(placed, edges, tally);
 }
 
 Relation NearbyRelations::at(const Point& translation) {
-  const PlacedPair placed(pair_, translation_a_, translation);
-  return are_small_and_convex(placed) ? convex_relation(placed, tally_)
-                                      : general_relation(placed, edges_, tally_);
+  return relation(PlacedPair(pair_, translation_a_, translation), edges_, tally_);
 }
 
 // Edges that cross where rings touch in both polygons show no overlap.

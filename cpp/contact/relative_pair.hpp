@@ -52,12 +52,22 @@ class RelativePair {
     const Boundary& b = placed_.b.boundary;
     return scaled(b.relative(j), b.relative(placed_.b.next(j)), offset_);
   }
-  // The edges of a block of those over edges.
-  [[nodiscard]] FourEnds edges_of_a(Index block) const { return scaled(edges_a_[block], {0, 0}); }
-  [[nodiscard]] FourEnds edges_of_b(Index block) const { return scaled(edges_b_[block], offset_); }
-  static FourEnds four_times(const Ends& edge) {
-    return {SimdDouble::of(edge.from_x), SimdDouble::of(edge.from_y), SimdDouble::of(edge.to_x),
-            SimdDouble::of(edge.to_y)};
+  // Of the pairs of edges in the lanes, the edges of A, and those of B.
+  template <bool is_of_a>
+  [[nodiscard]] FourEnds edges_of_a(const EdgesOfBlock<is_of_a>& edges) const {
+    if constexpr (is_of_a) {
+      return scaled(edges_a_[edges.number], {0, 0});
+    } else {
+      return four_times(edge_of_a(edges.other));
+    }
+  }
+  template <bool is_of_a>
+  [[nodiscard]] FourEnds edges_of_b(const EdgesOfBlock<is_of_a>& edges) const {
+    if constexpr (is_of_a) {
+      return four_times(edge_of_b(edges.other));
+    } else {
+      return scaled(edges_b_[edges.number], offset_);
+    }
   }
 
   // The squares of the distances of a box from the children of a node.
@@ -69,6 +79,25 @@ class RelativePair {
     const SimdDouble y = scale_ * larger(none, larger(SimdDouble::load(block.y0) + -box.y1,
                                                       box.y0 - SimdDouble::load(block.y1)));
     return x * x + y * y;
+  }
+
+  // How far q begins on the left of the line of p, and p on the left of that of q, as cross
+  // products; and how much further left of p, and less far left of q, the other ends are.
+  template <class Number>
+  struct CrossProducts {
+    Number q_from;
+    Number p_from;
+    Number cross;
+  };
+  template <class Number>
+  static CrossProducts<Number> cross_products(const EndsOf<Number>& p, const EndsOf<Number>& q) {
+    const Number dx = p.to_x - p.from_x;
+    const Number dy = p.to_y - p.from_y;
+    const Number ex = q.to_x - q.from_x;
+    const Number ey = q.to_y - q.from_y;
+    const Number x = q.from_x - p.from_x;
+    const Number y = q.from_y - p.from_y;
+    return {dx * y - dy * x, x * ey - y * ex, dx * ey - dy * ex};
   }
 
   // The lanes in which neither of two edges lies on one side of the line of the other, as bits,
@@ -132,29 +161,15 @@ class RelativePair {
                (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
         room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
 
-  // How far q begins on the left of the line of p, and p on the left of that of q, as cross
-  // products; and how much further left of p, and less far left of q, the other ends are.
-  template <class Number>
-  struct CrossProducts {
-    Number q_from;
-    Number p_from;
-    Number cross;
-  };
-  template <class Number>
-  static CrossProducts<Number> cross_products(const EndsOf<Number>& p, const EndsOf<Number>& q) {
-    const Number dx = p.to_x - p.from_x;
-    const Number dy = p.to_y - p.from_y;
-    const Number ex = q.to_x - q.from_x;
-    const Number ey = q.to_y - q.from_y;
-    const Number x = q.from_x - p.from_x;
-    const Number y = q.from_y - p.from_y;
-    return {dx * y - dy * x, x * ey - y * ex, dx * ey - dy * ex};
-  }
   // Are both above 0, or both below, by more than roundings are?
   [[nodiscard]] DoubleMask are_aside(const SimdDouble& p, const SimdDouble& q) const {
     return (smaller(p, q) > room_) | (larger(p, q) < -room_);
   }
 
+  static FourEnds four_times(const Ends& edge) {
+    return {SimdDouble::of(edge.from_x), SimdDouble::of(edge.from_y), SimdDouble::of(edge.to_x),
+            SimdDouble::of(edge.to_y)};
+  }
   static double select(bool is_first, double p, double q) { return is_first ? p : q; }
   static SimdDouble select(const DoubleMask& mask, const SimdDouble& p, const SimdDouble& q) {
     return gcv::select(mask, p, q);

@@ -76,7 +76,7 @@ SceneEscape FreePositions::escape(const Point& position, Task& task, Tally& tall
     const JoinedSolids solids = join_solids_near(scene_, query_, near);
     Operands operands{*solids.boundary, reflected_,
                       merge_directions(*solids.boundary, reflected_, tally)};
-    if (!is_all) {
+    if (!is_all) {  // places that are further do not matter
       const Point place = operands.relative_place(position);
       operands.focus = widened(box_of(place, place), distance + slack_of(operands));
     }

@@ -187,27 +187,32 @@ void SceneQuestions::visit_near(const Point& position, Visit visit) const {
   }
 }
 
-Relation SceneQuestions::relation(const Point& position, Tally& tally) const {
+template <class RelationTo>
+Relation SceneQuestions::closest(const Point& position, RelationTo relation_to) const {
   Relation result = Relation::apart;
   visit_near(position, [&](const Solid& solid) {
-    result = std::min(result, gcv::relation(PlacedSolid(solid, moving_, position).placed, tally));
+    result = std::min(result, relation_to(solid));
     return result == Relation::overlapping;
   });
   return result;
 }
 
+Relation SceneQuestions::relation(const Point& position, Tally& tally) const {
+  return closest(position, [&](const Solid& solid) {
+    return gcv::relation(PlacedSolid(solid, moving_, position).placed, tally);
+  });
+}
+
 Relation SceneQuestions::relation(const Point& position, Tally& tally,
                                   std::optional<NearbyRelations>& overlapped) const {
-  Relation result = Relation::apart;
-  visit_near(position, [&](const Solid& solid) {
+  return closest(position, [&](const Solid& solid) {
     NearbyRelations relations(PolygonPair(solid.boundary, moving_), solid.position, {}, tally);
-    result = std::min(result, relations.at(position));
-    if (result == Relation::overlapping) {
+    const Relation there = relations.at(position);
+    if (there == Relation::overlapping) {
       overlapped.emplace(relations);
     }
-    return result == Relation::overlapping;
+    return there;
   });
-  return result;
 }
 
 Relation NearbySceneRelations::at(const Point& position) {

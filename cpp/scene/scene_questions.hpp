@@ -45,6 +45,9 @@ class SceneQuestions {
   // a visit returns true.
   template <class Visit>
   void visit_near(const Point& position, Visit visit) const;
+  // The closest of all relation_to(solid), as far as an overlap.
+  template <class RelationTo>
+  [[nodiscard]] Relation closest(const Point& position, RelationTo relation_to) const;
   // The smallest id of those that it overlaps, or 0.
   [[nodiscard]] Id first_overlap(const Point& position, Tally& tally) const;
 
