@@ -18,9 +18,7 @@ namespace {
 // other. In doubles.
 class NearestPairs {
  public:
-  explicit NearestPairs(const PlacedPair& placed) : placed_(placed), relative_(placed) {
-    relative_.descend(*this);
-  }
+  explicit NearestPairs(const PlacedPair& placed) : relative_(placed) { relative_.descend(*this); }
 
   // The nearest one first.
   template <class Visit>
@@ -82,7 +80,6 @@ class NearestPairs {
     }
   }
 
-  const PlacedPair& placed_;
   const RelativePair relative_;
   double least_ = infinity;
   double limit_ = infinity;
