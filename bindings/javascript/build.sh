@@ -2,18 +2,20 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
 #
-#   build.sh [FOLDER]  builds the package: dist/, by way of FOLDER, build/ by default
+#   build.sh [FOLDER [CMAKE-ARGUMENT...]]
+#   builds the package: dist/, by way of FOLDER, build/ by default
 #
 # Takes Emscripten, CMake, the headers of Boost, and npm.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 build=${1:-build}
+arguments=("${@:2}")
 
 # build_module NAME CMAKE-ARGUMENTS
 build_module() {
   local name=$1
   shift
-  emcmake cmake -S . -B "$build/$name" -Wno-dev -DCMAKE_BUILD_TYPE=Release "$@"
+  emcmake cmake -S . -B "$build/$name" -Wno-dev -DCMAKE_BUILD_TYPE=Release "${arguments[@]}" "$@"
   cmake --build "$build/$name" --target gcv_wasm --parallel "$(nproc)"
   cp "$build/$name/gcv.wasm" "dist/$name.wasm"
 }

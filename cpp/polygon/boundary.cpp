@@ -253,7 +253,7 @@ Touches Boundary::touches_of_solids() const {
       for (Index ring = solids[solid] + 1; ring < end; ++ring) {
         rings.add(layout.end(ring) - layout.begin(ring));
       }
-      const auto from = vertices.begin() + first;
+      const Point* const from = vertices.data() + first;
       all.add(Touches(PointVector(from, from + rings.size()), rings), first);
     }
   }

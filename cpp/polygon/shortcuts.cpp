@@ -95,7 +95,7 @@ NewVertex Shortcuts::segment(Index i, Index j) const {
   for (Index k = i + 1; k < j; ++k) {
     error = std::max(error, distance_bound(scaled_[k], scaled_[i], scaled_[j]).bound);
   }
-  return {vertex(i), i, i, error, *std::min_element(allowed_.begin() + i, allowed_.begin() + j)};
+  return {vertex(i), i, i, error, *std::min_element(allowed_.data() + i, allowed_.data() + j)};
 }
 
 NewVertex Shortcuts::joined(const NewVertex& a, const NewVertex& b, Index end) const {
@@ -147,7 +147,7 @@ void Shortcuts::cut_tolerance(const NewBoundary& boundary, const std::vector<Ind
   std::vector<std::uint8_t> is_cut(allowed_.size());
   for (const Index edge : edges) {
     const Index end = edge + 1 == boundary.size() ? ring_.size() : boundary[edge + 1].last;
-    std::fill(is_cut.begin() + boundary[edge].first, is_cut.begin() + end, std::uint8_t{1});
+    std::fill(is_cut.data() + boundary[edge].first, is_cut.data() + end, std::uint8_t{1});
   }
   for (std::size_t k = 0; k < allowed_.size(); ++k) {
     if (is_cut[k] != 0) {

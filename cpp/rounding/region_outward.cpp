@@ -107,7 +107,7 @@ class SafeRounder {
         }
       }
       for (const std::uint64_t index : rounded.exact_indices) {
-        const RingVertex& v = exact.vertices[index];
+        const RingVertex& v = exact.vertices[static_cast<std::size_t>(index)];
         const std::size_t vertex = polygon.vertex_of(v.is_sum() ? v.i() : v.leaving().i);
         is_left[vertex] = true;
         safe.exact_indices.push_back(nearest.exact_indices[vertex]);

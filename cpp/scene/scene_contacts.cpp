@@ -31,12 +31,12 @@ class ContactsByName {
   template <class IsKnown>
   ContactsByName(const std::vector<SceneContact>& contacts, IsKnown is_known)
       : contacts_(contacts) {
-    for (std::uint64_t k = 0; k < contacts.size(); ++k) {
+    for (std::size_t k = 0; k < contacts.size(); ++k) {
       if (!is_known(contacts[k])) {
         indices_.push_back(k);
       }
     }
-    std::sort(indices_.begin(), indices_.end(), [&](std::uint64_t p, std::uint64_t q) {
+    std::sort(indices_.begin(), indices_.end(), [&](std::size_t p, std::size_t q) {
       return name_of(contacts_[p]) < name_of(contacts_[q]);
     });
   }
@@ -45,14 +45,14 @@ class ContactsByName {
   [[nodiscard]] std::uint64_t find(const SceneContact& contact) const {
     const auto found = std::lower_bound(
         indices_.begin(), indices_.end(), contact,
-        [&](std::uint64_t k, const SceneContact& c) { return name_of(contacts_[k]) < name_of(c); });
+        [&](std::size_t k, const SceneContact& c) { return name_of(contacts_[k]) < name_of(c); });
     return found != indices_.end() && name_of(contacts_[*found]) == name_of(contact) ? *found
                                                                                      : no_previous;
   }
 
  private:
   const std::vector<SceneContact>& contacts_;
-  std::vector<std::uint64_t> indices_;
+  std::vector<std::size_t> indices_;
 };
 
 // The contacts of pairs of which one has changed.
@@ -101,7 +101,7 @@ SceneContactList scene_contacts(const Scene& scene, const Query& query, double d
     list.previous.push_back(changed.find(*next));
     list.contacts.push_back(*next++);
   };
-  for (std::uint64_t k = 0; k < old.size(); ++k) {
+  for (std::size_t k = 0; k < old.size(); ++k) {
     if (!is_kept(old[k])) {
       continue;
     }

@@ -34,14 +34,18 @@ std::vector<ScenePair> sorted(std::vector<ScenePair> pairs) {
     std::sort(pairs.begin(), pairs.end());
     return pairs;
   }
-  std::vector<std::size_t> ends(range + 1, 0);  // of each a; first their counts, then their starts
+  const auto place = [low](const ScenePair& pair) {
+    return static_cast<std::size_t>(pair.a - low);
+  };
+  std::vector<std::size_t> ends(place(*last) + 1,
+                                0);  // of each a; first their counts, then their starts
   for (const ScenePair& pair : pairs) {
-    ++ends[pair.a - low];
+    ++ends[place(pair)];
   }
   std::exclusive_scan(ends.begin(), ends.end(), ends.begin(), std::size_t{0});
   std::vector<ScenePair> all(pairs.size());
   for (const ScenePair& pair : pairs) {
-    all[ends[pair.a - low]++] = pair;
+    all[ends[place(pair)]++] = pair;
   }
   std::size_t start = 0;
   for (const std::size_t end : ends) {

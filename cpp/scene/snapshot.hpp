@@ -48,8 +48,9 @@ class Unchanged {
   [[nodiscard]] std::size_t index_of(Id id) const {
     const std::vector<Snapshot::Stamped>& members = before_->members;
     const Id distance = id - members.front().id;
-    return members.back().id - members.front().id < members.size() ? distance
-                                                                   : index_up_to(distance, id);
+    return members.back().id - members.front().id < members.size()
+               ? static_cast<std::size_t>(distance)
+               : index_up_to(distance, id);
   }
   [[nodiscard]] std::size_t index_up_to(Id last, Id id) const;
 

@@ -29,7 +29,7 @@ struct Hash {
       hash = (hash ^ part) * 0x9e3779b97f4a7c15;
       hash ^= hash >> 32U;
     }
-    return hash;
+    return static_cast<std::size_t>(hash);
   }
 };
 
