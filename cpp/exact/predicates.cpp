@@ -219,6 +219,10 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
 // that underflow. Other underflows are far below the errors of numbers that are in range.
 int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
                       Tally& tally) {
+  // A line meets parallel ones one after the other.
+  if (s == q && turn(t.from, t.to, r.from, r.to, tally) == 0) {
+    return side(r, t.origin, tally) * turn(r.from, r.to, s.from, s.to, tally);
+  }
   const DoubleDoubleParameter x = double_double_parameter(s, t);
   const DoubleDoubleParameter y = double_double_parameter(q, r);
   const double hi = x.hi - y.hi;
