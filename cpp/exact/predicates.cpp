@@ -127,6 +127,12 @@ bool is_end(const SumEdge& s, const SumPoint& point) {
     ++tally.fixed_width;
     return 0;
   }
+  if (s.from.x == s.to.x) {  // along an axis, one coordinate tells
+    return compare_x(s.origin, point, tally) * sign_of(s.dy);
+  }
+  if (s.from.y == s.to.y) {
+    return compare_y(point, s.origin, tally) * sign_of(s.dx);
+  }
   if (const auto sign = double_double_sign(double_double_vector(s.from, s.to),
                                            double_double_vector(s.origin, point))) {
     ++tally.fixed_width;
