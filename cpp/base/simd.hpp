@@ -119,6 +119,16 @@ template <class Visit>
     visit(static_cast<std::uint32_t>(std::countr_zero(lanes)));
   }
 }
+// The same until a visit returns true. Did one?
+template <class Lanes, class Visit>
+[[gnu::always_inline]] inline bool any_lane(Lanes lanes, Visit visit) {
+  for (; lanes != 0; lanes &= lanes - 1) {
+    if (visit(static_cast<std::uint32_t>(std::countr_zero(lanes)))) {
+      return true;
+    }
+  }
+  return false;
+}
 
 // rounded(p, q) has the floats nearest to p[0], p[1], q[0], q[1]. from<distance>(p, q) has four
 // floats in a row of the eight in p and q, from index `distance` on.

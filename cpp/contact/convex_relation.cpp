@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "convex_relation.hpp"
 
+#include <bit>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
+
+#include "simd.hpp"
 
 namespace gcv {
 
@@ -18,45 +23,120 @@ int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q, Tally&
   return e.from.y < e.to.y ? order : -order;
 }
 
-// Looks for an edge of one polygon that separates the other from it.
+// Four points in a row around a polygon.
+struct FourPoints {
+  SimdDouble x;
+  SimdDouble y;
+};
+
+constexpr std::uint64_t most_vertices = 44;  // of both; above, a descent of the trees is faster
+
+// A polygon, and its vertices in doubles, seen from the first vertex of A.
+class SeenPolygon {
+ public:
+  SeenPolygon(const PlacedPolygon& polygon, const Point& offset)
+      : polygon_(polygon), size_(polygon.boundary.size()) {
+    const PointVector& vertices = polygon.boundary.vertices;
+    const Point& first = vertices[0];
+    for (Index i = 0; i < size_; ++i) {
+      x_[i] = (vertices[i].x - first.x) + offset.x;
+      y_[i] = (vertices[i].y - first.y) + offset.y;
+    }
+    for (Index i = 0; i <= SimdDouble::width; ++i) {
+      x_[size_ + i] = x_[i];
+      y_[size_ + i] = y_[i];
+    }
+  }
+
+  [[nodiscard]] Index size() const { return size_; }
+  [[nodiscard]] SumPoint vertex(Index i) const { return polygon_.vertex(i); }
+  [[nodiscard]] SumEdge edge(Index i) const { return polygon_.edge(i); }
+  [[nodiscard]] SumPoint end_of_edge(Index i) const { return vertex(around(i + 1)); }
+
+  // Of a number that is less than twice the size.
+  [[nodiscard]] Index around(Index i) const { return i < size_ ? i : i - size_; }
+  [[nodiscard]] FourPoints four_times(Index i) const {
+    return {SimdDouble::of(x_[i]), SimdDouble::of(y_[i])};
+  }
+  // From a vertex on, or from the one behind the last.
+  [[nodiscard]] FourPoints four_from(Index i) const {
+    return {SimdDouble::load(x_ + i), SimdDouble::load(y_ + i)};
+  }
+
+ private:
+  const PlacedPolygon& polygon_;
+  const Index size_;
+  double x_[most_vertices + SimdDouble::width + 1];  // begin anew behind the last one
+  double y_[most_vertices + SimdDouble::width + 1];
+};
+
+// How far points lie on the left of lines, as cross products.
+SimdDouble left_of(const FourPoints& from, const FourPoints& to, const FourPoints& points) {
+  return (to.x - from.x) * (points.y - from.y) - (to.y - from.y) * (points.x - from.x);
+}
+
+// Looks for an edge of one polygon that separates the other from it. `room`: more than cross
+// products in doubles are off by.
 class SeparatingEdge {
  public:
-  SeparatingEdge(const PlacedPolygon& polygon, const PlacedPolygon& other, Tally& tally)
-      : polygon_(polygon), other_(other), tally_(tally) {}
+  SeparatingEdge(const SeenPolygon& polygon, const SeenPolygon& other, double room, Tally& tally)
+      : polygon_(polygon), other_(other), room_(room), tally_(tally) {}
 
   // Nothing if there is none.
   std::optional<Relation> find() {
-    for (Index i = 0; i < polygon_.boundary.size(); ++i) {
-      const SumEdge e = polygon_.edge(i);
-      if (is_to_the_right(e)) {
-        return meets(e, polygon_.vertex(polygon_.next(i))) ? Relation::touching : Relation::apart;
+    for (Index i = 0; i < polygon_.size();) {
+      const auto passed = static_cast<Index>(std::countr_one(edges_with_left_on_left(i)));
+      i += passed;
+      if (passed == SimdDouble::width || i >= polygon_.size()) {
+        continue;
       }
+      if (is_to_the_right(i)) {
+        return meets(i) ? Relation::touching : Relation::apart;
+      }
+      ++i;
     }
     return std::nullopt;
   }
 
  private:
-  // Does all of the other polygon lie on the line or to the right of it? Begins with the vertex
-  // that did not for the edge before. Leaves the vertices on the line, of which there are two at
-  // most.
-  bool is_to_the_right(const SumEdge& e) {
-    const Index size = other_.boundary.size();
-    on_line_count_ = 0;
-    for (Index k = 0; k < size; ++k) {
-      const Index j = left_ + k < size ? left_ + k : left_ + k - size;
-      const int where = side(e, other_.vertex(j), tally_);
-      if (where > 0) {
-        left_ = j;
+  // Of four edges from that one on, those that have the vertex left_ certainly on their left, as
+  // bits.
+  [[nodiscard]] unsigned edges_with_left_on_left(Index i) const {
+    const FourPoints left = other_.four_times(left_);
+    return (left_of(polygon_.four_from(i), polygon_.four_from(i + 1), left) > room_).bits();
+  }
+  // Does all of the other polygon lie on the line of the edge or to the right of it? Leaves the
+  // vertices on the line, of which there are two at most; or else one on its left.
+  bool is_to_the_right(Index edge) {
+    const FourPoints from = polygon_.four_times(edge);
+    const FourPoints to = polygon_.four_times(edge + 1);
+    std::uint64_t undecided = 0;
+    for (Index first = 0; first < other_.size(); first += SimdDouble::width) {
+      const SimdDouble left = left_of(from, to, other_.four_from(first));
+      if (const unsigned certain = (left > room_).bits(); certain != 0) {
+        left_ = other_.around(first + static_cast<Index>(std::countr_zero(certain)));
         return false;
       }
-      if (where == 0) {
-        on_line_[on_line_count_++] = j;
-      }
+      undecided |= std::uint64_t{~(left < -room_).bits() & SimdDouble::all} << first;
     }
-    return true;
+    undecided &= (std::uint64_t{1} << other_.size()) - 1;
+    on_line_count_ = 0;
+    return !any_lane(undecided, [&](Index vertex) { return is_left(edge, vertex); });
+  }
+  // Keeps the vertex if it is, and also if it lies on the line.
+  bool is_left(Index edge, Index vertex) {
+    const int where = side(polygon_.edge(edge), other_.vertex(vertex), tally_);
+    if (where > 0) {
+      left_ = vertex;
+    } else if (where == 0) {
+      on_line_[on_line_count_++] = vertex;
+    }
+    return where > 0;
   }
   // Do they touch on the line?
-  bool meets(const SumEdge& e, const SumPoint& end) {
+  bool meets(Index edge) {
+    const SumEdge e = polygon_.edge(edge);
+    const SumPoint end = polygon_.end_of_edge(edge);
     bool is_before = true;
     bool is_behind = true;
     for (Index k = 0; k < on_line_count_; ++k) {
@@ -67,28 +147,43 @@ class SeparatingEdge {
     return !is_before && !is_behind;
   }
 
-  const PlacedPolygon& polygon_;
-  const PlacedPolygon& other_;
+  const SeenPolygon& polygon_;
+  const SeenPolygon& other_;
+  const double room_;
   Tally& tally_;
   Index left_ = 0;
   Index on_line_[2] = {0, 0};
   Index on_line_count_ = 0;
 };
 
+// More than the cross product of an edge and a vector between vertices is off by, in doubles.
+//
+// Coordinates are off by less than a quarter of the slack, differences of two by less than 0.6 of
+// it. The coordinates of vectors are together below reach + slack. So the product is off by less
+// than 1.5 slack (reach + slack), as long as nothing overflows.
+double room_of(const PlacedPair& placed, const Point& offset) {
+  const double distance = std::abs(offset.x) + std::abs(offset.y);
+  const double reach = 0x1p46 * placed.pair.slack + distance;
+  const double slack = placed.pair.slack + 0x1p-48 * distance;
+  return reach < 0x1p500 ? 2 * slack * (reach + slack) + std::numeric_limits<double>::min()
+                         : infinity;
+}
+
 }  // namespace
 
 bool are_small_and_convex(const PlacedPair& placed) {
-  constexpr std::uint64_t most_vertices = 32;  // of both; above, a descent of the trees is faster
   const Boundary& a = placed.a.boundary;
   const Boundary& b = placed.b.boundary;
   return a.is_convex && b.is_convex && std::uint64_t{a.size()} + b.size() <= most_vertices;
 }
 
 Relation convex_relation(const PlacedPair& placed, Tally& tally) {
-  if (const auto found = SeparatingEdge(placed.a, placed.b, tally).find()) {
-    return *found;
-  }
-  return SeparatingEdge(placed.b, placed.a, tally).find().value_or(Relation::overlapping);
+  const Point offset = placed.offset();
+  const SeenPolygon a(placed.a, {0, 0});
+  const SeenPolygon b(placed.b, offset);
+  const double room = room_of(placed, offset);
+  const std::optional<Relation> found = SeparatingEdge(a, b, room, tally).find();
+  return found ? *found : SeparatingEdge(b, a, room, tally).find().value_or(Relation::overlapping);
 }
 
 }  // namespace gcv

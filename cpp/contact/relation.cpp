@@ -76,15 +76,6 @@ class OverlapSearch {
   [[nodiscard]] unsigned near_children(const ChainTree::Block& block, const Box& box) const {
     return block.overlapping(widened(box, placed_.pair.slack)) & children_of(block);
   }
-  template <class Visit>
-  static bool any_lane(unsigned lanes, Visit visit) {
-    for (; lanes != 0; lanes &= lanes - 1) {
-      if (visit(static_cast<std::uint32_t>(std::countr_zero(lanes)))) {
-        return true;
-      }
-    }
-    return false;
-  }
 
   // Do the interiors meet beside a point of both edges? At the ends of the edges, their starts are
   // looked at: the edges that begin where they end have the others.
