@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// What makes relations quick, beside what is exact: edges that are told apart in doubles, and edges
-// that are asked first.
+// What makes relations quick, beside what is exact: edges that are told apart in doubles, edges
+// that are asked first, and sides of convex polygons in doubles.
 #include "relation.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "generators.hpp"
 #include "region_families.hpp"
@@ -190,6 +192,94 @@ TEST(NearbyRelations, DoNotTellWhereRingsTouch) {
         EXPECT_FALSE(touch && relations.overlaps_around({0.5, y}, 0));
       }
     }
+  }
+}
+
+double real(test::Random& random, double low, double high) {
+  return low + (high - low) * test::uniform(random, 0, 1 << 30) * 0x1p-30;
+}
+
+// Of an ellipse: so many vertices, or fewer. Not always convex, for it is rounded.
+RegionOperand random_convex(test::Random& random, int vertices, double scale) {
+  constexpr double full_turn = 6.283185307179586;
+  const double width = scale * real(random, 0.01, 1);
+  const Point middle{scale * real(random, -4, 4), scale * real(random, -4, 4)};
+  std::vector<double> angles;
+  for (int k = 0; k < vertices; ++k) {
+    angles.push_back(real(random, 0, full_turn));
+  }
+  std::sort(angles.begin(), angles.end());
+  PointVector ring;
+  for (const double angle : angles) {
+    ring.push_back({middle.x + width * std::cos(angle), middle.y + scale * std::sin(angle)});
+  }
+  return test::region_operand({ring}, "convex");
+}
+
+// By all vertices beside all edges: apart if one edge has all of the other polygon strictly on its
+// right.
+Relation relation_by_sides(const PlacedPair& placed) {
+  Tally tally;
+  int least = 1;
+  const auto look = [&](const PlacedPolygon& polygon, const PlacedPolygon& other) {
+    for (Index i = 0; i < polygon.boundary.size(); ++i) {
+      int most = -1;
+      for (Index j = 0; j < other.boundary.size(); ++j) {
+        most = std::max(most, side(polygon.edge(i), other.vertex(j), tally));
+      }
+      least = std::min(least, most);
+    }
+  };
+  look(placed.a, placed.b);
+  look(placed.b, placed.a);
+  return static_cast<Relation>(-least);
+}
+
+// A vertex of B is put on an edge of A, or next to it, as near as doubles can. Mostly it is the one
+// that is furthest on its left.
+TEST(ConvexRelation, IsThatOfAllSides) {
+  for (const double scale : {1.0, 0x1p520, 0x1p1000, 0x1p-515, 0x1p-1000}) {
+    SCOPED_TRACE(scale);
+    test::Random random(11);
+    int found[3] = {};
+    for (int k = 0; k < 4000; ++k) {
+      const RegionOperand a = random_convex(random, test::uniform(random, 3, 24), scale);
+      const RegionOperand b = random_convex(random, test::uniform(random, 3, 24), scale);
+      const PolygonPair pair(*a.polygon, *b.polygon);
+      if (!pair.a.boundary.is_convex || !pair.b.boundary.is_convex) {
+        continue;
+      }
+      const PointVector& of_a = pair.a.boundary.vertices;
+      const PointVector& of_b = pair.b.boundary.vertices;
+      const auto index = [&](const PointVector& vertices) {
+        return static_cast<Index>(test::uniform(random, 0, static_cast<int>(vertices.size()) - 1));
+      };
+      const Index i = index(of_a);
+      const Point& from = of_a[i];
+      const Point& to = of_a[pair.a.boundary.next(i)];
+      const Point along{(to.x - from.x) / scale, (to.y - from.y) / scale};
+      const Point& leftmost =
+          *std::max_element(of_b.begin(), of_b.end(), [&](const Point& p, const Point& q) {
+            return along.x * (q.y - p.y) - along.y * (q.x - p.x) > 0;
+          });
+      const Point& vertex = test::uniform(random, 0, 3) == 0 ? of_b[index(of_b)] : leftmost;
+      const double t = test::uniform(random, 0, 3) == 0 ? 0 : real(random, 0, 1);
+      Point at{from.x + t * (to.x - from.x) - vertex.x, from.y + t * (to.y - from.y) - vertex.y};
+      const Point moved_by = test::uniform(random, 0, 1) == 0 ? Point{0, 0} : of_b[0];
+      at = {at.x + moved_by.x, at.y + moved_by.y};
+      for (int step = 0; step < 4; ++step) {
+        const PlacedPair placed(pair, moved_by, at);
+        Tally tally;
+        const Relation got = relation(placed, tally);
+        EXPECT_EQ(got, relation_by_sides(placed)) << k << ' ' << step;
+        ++found[static_cast<int>(got) + 1];
+        at.x = std::nextafter(at.x, step % 2 == 0 ? -infinity : infinity);
+        at.y = std::nextafter(at.y, step < 2 ? infinity : -infinity);
+      }
+    }
+    EXPECT_GT(found[0], 2000);
+    EXPECT_GT(found[1], 100);
+    EXPECT_GT(found[2], 2000);
   }
 }
 
