@@ -158,9 +158,9 @@ class SeparatingEdge {
 
 // More than the cross product of an edge and a vector between vertices is off by, in doubles.
 //
-// Coordinates are off by less than a quarter of the slack, differences of two by less than 0.6 of
-// it. The coordinates of vectors are together below reach + slack. So the product is off by less
-// than 1.5 slack (reach + slack), as long as nothing overflows.
+// Coordinates are off by less than a quarter of the slack, differences of two by less than 0.52 of
+// it. The sizes of both coordinates of a vector are together below reach + slack. So the product is
+// off by less than 1.1 slack (reach + slack), as long as nothing overflows.
 double room_of(const PlacedPair& placed, const Point& offset) {
   const double distance = std::abs(offset.x) + std::abs(offset.y);
   const double reach = 0x1p46 * placed.pair.slack + distance;
