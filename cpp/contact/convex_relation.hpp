@@ -12,8 +12,8 @@ namespace gcv {
 
 // Exact. Two convex polygons do not overlap just when all of one lies on the line of an edge of the
 // other, or to the right of it: an edge of their sum with one reflected says so. They touch where
-// both meet that line. O(n + m) for polygons that are apart or overlap, if neighbouring edges are
-// separated by neighbouring vertices; O(n m) at most.
+// both meet that line. O(n m) at most; mostly O(n + m), for neighbouring edges have the same vertex
+// on their left.
 Relation convex_relation(const PlacedPair& placed, Tally& tally);
 
 }  // namespace gcv
