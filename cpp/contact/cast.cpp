@@ -31,7 +31,7 @@ class FirstEntry {
               motion.y},
         tally_(tally),
         relative_(placed),
-        slack_(placed.pair.slack + 0x1p-48 * (size_of(relative_.offset()) + size_of(motion))),
+        slack_(placed.slack(relative_.offset()) + 0x1p-48 * size_of(motion)),
         scaled_motion_{relative_.scale() * motion.x, relative_.scale() * motion.y},
         room_of_sides_(relative_.slack() * (2 * relative_.reach() + relative_.slack())),
         room_of_paths_(2 * relative_.slack() * size_of(scaled_motion_) +

@@ -158,13 +158,13 @@ class SeparatingEdge {
 
 // More than the cross product of an edge and a vector between vertices is off by, in doubles.
 //
-// Coordinates are off by less than a quarter of the slack, differences of two by less than 0.52 of
-// it. The sizes of both coordinates of a vector are together below reach + slack. So the product is
-// off by less than 1.1 slack (reach + slack), as long as nothing overflows.
+// Differences of coordinates are off by less than 0.52 slack. The sizes of both coordinates of a
+// vector are together below reach + slack. So the product is off by less than
+// 1.1 slack (reach + slack), as long as nothing overflows.
 double room_of(const PlacedPair& placed, const Point& offset) {
-  const double distance = std::abs(offset.x) + std::abs(offset.y);
-  const double reach = 0x1p46 * placed.pair.slack + distance;
-  const double slack = placed.pair.slack + 0x1p-48 * distance;
+  const double slack = placed.slack(offset);
+  const double reach = extents_of(placed.a.boundary.bounds) + extents_of(placed.b.boundary.bounds) +
+                       (std::abs(offset.x) + std::abs(offset.y));
   return reach < 0x1p500 ? 2 * slack * (reach + slack) + std::numeric_limits<double>::min()
                          : infinity;
 }

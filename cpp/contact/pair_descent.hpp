@@ -3,8 +3,6 @@
 // Descends the trees of two placed polygons at once, from pairs of nodes to pairs of edges.
 #pragma once
 
-#include <bit>
-
 #include "polygon_pair.hpp"
 
 namespace gcv {
@@ -12,7 +10,6 @@ namespace gcv {
 inline Box moved(const Box& box, const Point& offset) {
   return {box.x0 + offset.x, box.y0 + offset.y, box.x1 + offset.x, box.y1 + offset.y};
 }
-inline double extent(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
 // Visits these children, the one of the smallest key first, as long as keys are not above the
 // limit, which may fall on the way. Ends when a visit returns true. Returns what the last one
@@ -93,7 +90,7 @@ class PairDescent {
         return search_.meet(a.place.index, b.place.index);
       }
     }
-    if (b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box))) {
+    if (b_is_edge || (!a_is_edge && extents_of(a.box) >= extents_of(b.box))) {
       const ChainTree::Block& block = a_.blocks[a_.block_below(a.place)];
       if constexpr (MeetsBlocks<Search>) {
         if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {

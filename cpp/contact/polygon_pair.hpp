@@ -4,6 +4,7 @@
 // It is never rounded.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -51,8 +52,7 @@ struct PolygonPair {
 
  private:
   static double slack_of(const Box& p, const Box& q) {
-    const double extents = ((p.x1 - p.x0) + (p.y1 - p.y0)) + ((q.x1 - q.x0) + (q.y1 - q.y0));
-    return 0x1p-46 * extents + std::numeric_limits<double>::min();
+    return 0x1p-46 * (extents_of(p) + extents_of(q)) + std::numeric_limits<double>::min();
   }
 };
 
@@ -93,6 +93,11 @@ struct PlacedPair {
     }
     return {rounded_sum(q.x, -p.x, b.translation.x, -a.translation.x),
             rounded_sum(q.y, -p.y, b.translation.y, -a.translation.y)};
+  }
+  // With that offset: what searches allow for roundings of coordinates seen from the first vertex
+  // of A, which are off by less than a quarter of it.
+  [[nodiscard]] double slack(const Point& offset) const {
+    return pair.slack + 0x1p-48 * (std::abs(offset.x) + std::abs(offset.y));
   }
 };
 

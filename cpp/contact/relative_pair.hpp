@@ -26,7 +26,7 @@ class RelativePair {
 
   // A power of two by which all lengths are multiplied, so that their squares are in range.
   [[nodiscard]] double scale() const { return scale_; }
-  // Of scaled lengths: four times how far coordinates may be off, and how far points of the two are
+  // Of scaled lengths: the slack of the placed pair, and how far points of the two are
   // from each other along both axes together, at most.
   [[nodiscard]] double slack() const { return slack_; }
   [[nodiscard]] double reach() const {
@@ -155,10 +155,9 @@ class RelativePair {
         edges_a_(blocks_of_edges(a)),
         edges_b_(blocks_of_edges(b)),
         offset_(placed.offset()),
-        extents_(extent(a.tree.box) + extent(b.tree.box)),
+        extents_(extents_of(a.tree.box) + extents_of(b.tree.box)),
         scale_(scale_for_squares(extents_ + std::abs(offset_.x) + std::abs(offset_.y))),
-        slack_(scale_ *
-               (placed.pair.slack + 0x1p-48 * (std::abs(offset_.x) + std::abs(offset_.y)))),
+        slack_(scale_ * placed.slack(offset_)),
         room_(4 * slack_ * (scale_ * extents_ + slack_)) {}
 
   // Are both above 0, or both below, by more than roundings are?

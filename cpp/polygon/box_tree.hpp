@@ -3,7 +3,6 @@
 // Finds the boxes that meet a box, or that hold it.
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -60,11 +59,10 @@ class BoxTree {
     while (count > 0) {
       const Block& block = blocks_[waiting[--count]];
       const unsigned lanes = lanes_of(block.boxes) & block.lanes;
-      for (unsigned leaves = lanes & block.leaves; leaves != 0; leaves &= leaves - 1) {
-        const auto lane = static_cast<std::uint32_t>(std::countr_zero(leaves));
-        if (test(block.below[lane], block.boxes.box(lane))) {
-          return true;
-        }
+      if (any_lane(lanes & block.leaves, [&](std::uint32_t lane) {
+            return test(block.below[lane], block.boxes.box(lane));
+          })) {
+        return true;
       }
       for_each_lane(lanes & ~block.leaves,
                     [&](std::uint32_t lane) { waiting[count++] = block.below[lane]; });

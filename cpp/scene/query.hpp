@@ -35,13 +35,7 @@ class NearBoxes {
 
   template <class Descend>
   bool any_child(const ChainTree::Block& block, Descend descend) {
-    for (unsigned lanes = block.overlapping(box_) & children_of(block); lanes != 0;
-         lanes &= lanes - 1) {
-      if (descend(static_cast<std::uint32_t>(std::countr_zero(lanes)))) {
-        return true;
-      }
-    }
-    return false;
+    return any_lane(block.overlapping(box_) & children_of(block), descend);
   }
   bool meet(BoxForest::Slot slot) { return visit_(slot); }
 

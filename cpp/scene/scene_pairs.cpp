@@ -37,8 +37,8 @@ std::vector<ScenePair> sorted(std::vector<ScenePair> pairs) {
   const auto place = [low](const ScenePair& pair) {
     return static_cast<std::size_t>(pair.a - low);
   };
-  std::vector<std::size_t> ends(place(*last) + 1,
-                                0);  // of each a; first their counts, then their starts
+  // Of each a. First their counts, then their starts, then their ends.
+  std::vector<std::size_t> ends(place(*last) + 1, 0);
   for (const ScenePair& pair : pairs) {
     ++ends[place(pair)];
   }

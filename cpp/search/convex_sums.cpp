@@ -2,7 +2,6 @@
 #include "convex_sums.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -197,12 +196,11 @@ bool ConvexSums::any_of(Index solid, Lanes lanes_of, Test test) {
   const auto [first, end] = sums_of(solid);
   for (std::uint32_t k = first; k < end; ++k) {
     Sums& sums = sums_[k];
-    for (unsigned lanes = lanes_of(sums.boxes) & sums.lanes; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::uint32_t>(std::countr_zero(lanes));
-      const Span& half_planes = half_planes_of(sums, lane);
-      if (half_planes.first != unknown && test(half_planes, sums.boxes.box(lane))) {
-        return true;
-      }
+    if (any_lane(lanes_of(sums.boxes) & sums.lanes, [&](std::uint32_t lane) {
+          const Span& half_planes = half_planes_of(sums, lane);
+          return half_planes.first != unknown && test(half_planes, sums.boxes.box(lane));
+        })) {
+      return true;
     }
   }
   return false;

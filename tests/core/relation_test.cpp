@@ -42,7 +42,7 @@ void for_each_pair(int cases, double scale,
       const RegionOperand a = test::region_operand(scaled(c.a, scale), "a");
       const RegionOperand b = test::region_operand(scaled(c.b, scale), "b");
       const PolygonPair pair(*a.polygon, *b.polygon);
-      check(pair, random, extent(sum_of(pair.a.boundary.bounds, pair.b.boundary.bounds)));
+      check(pair, random, extents_of(sum_of(pair.a.boundary.bounds, pair.b.boundary.bounds)));
     }
   }
 }
@@ -242,7 +242,7 @@ TEST(ConvexRelation, IsThatOfAllSides) {
     SCOPED_TRACE(scale);
     test::Random random(11);
     int found[3] = {};
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < 1500; ++k) {
       const bool is_small_beside_large = k % 8 == 0;
       const auto size = [&](int other) {
         return is_small_beside_large ? other : test::uniform(random, 3, 24);
@@ -281,9 +281,9 @@ TEST(ConvexRelation, IsThatOfAllSides) {
         at.y = std::nextafter(at.y, step < 2 ? infinity : -infinity);
       }
     }
-    EXPECT_GT(found[0], 2000);
-    EXPECT_GT(found[1], 100);
-    EXPECT_GT(found[2], 2000);
+    EXPECT_GT(found[0], 1000);
+    EXPECT_GT(found[1], 50);
+    EXPECT_GT(found[2], 1000);
   }
 }
 
