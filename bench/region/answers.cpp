@@ -149,8 +149,8 @@ class Answers {
   }
 
  private:
-  static void run(std::size_t system, const std::string& name, const Ring& a, const Ring& b,
-                  const Truth& truth, Tally& tally) {
+  void run(std::size_t system, const std::string& name, const Ring& a, const Ring& b,
+           const Truth& truth, Tally& tally) {
     const WholeSystem& chosen = systems_[system];
     const Outcome outcome = run_apart(answer_limit, [&] { return to_bytes(judge(chosen, a, b)); });
     for (Tally* const each : {&tally, &all_[system]}) {

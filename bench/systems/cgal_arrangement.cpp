@@ -49,7 +49,9 @@ CgalPolygon unbounded_face(const std::vector<SupersetEdge>& superset) {
 // edges of equal direction, that of B is taken first and then that of A, as in one pass
 // round the convolution: so one side of each cone is open.
 std::vector<SupersetEdge> enumerate_reduced_convolution(const Operands& operands) {
-  const auto& [a, b, directions] = operands;
+  const gcv::Boundary& a = operands.a;
+  const gcv::Boundary& b = operands.b;
+  const Directions& directions = operands.directions;
   std::vector<SupersetEdge> edges;
   for (Index i = 0; i < a.size(); ++i) {
     for (Index j = 0; j < b.size(); ++j) {

@@ -29,8 +29,13 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
   return exact::compare_sums(a, b, c, d, tally);
 }
 
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
-  return exact::compare_crossings(s, t, r, tally);
+int compare_sums(double a, double b, double c, double d, double e, double f, Tally& tally) {
+  return exact::compare_sums(a, b, c, d, e, f, tally);
+}
+
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally) {
+  return exact::compare_crossings(s, t, q, r, tally);
 }
 
 // Converting an integer errs by 2u of it at most, and the division by u: less than 8u in all.

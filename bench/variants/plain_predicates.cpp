@@ -13,8 +13,8 @@ int sign_of(double x) { return (x > 0) - (x < 0); }
 double cross(double vx, double vy, double wx, double wy) { return vx * wy - vy * wx; }
 
 double cross_of_offset(double dx, double dy, const SumPoint& from, const SumPoint& to) {
-  return cross(dx, dy, (to.a.x - from.a.x) + (to.b.x - from.b.x),
-               (to.a.y - from.a.y) + (to.b.y - from.b.y));
+  return cross(dx, dy, (to.a.x - from.a.x) + (to.b.x - from.b.x) + (to.c.x - from.c.x),
+               (to.a.y - from.a.y) + (to.b.y - from.b.y) + (to.c.y - from.c.y));
 }
 
 double parameter(const SumEdge& s, const SumEdge& t) {
@@ -42,9 +42,15 @@ int compare_sums(double a, double b, double c, double d, Tally& tally) {
   return sign_of((a + b) - (c + d));
 }
 
-int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& r, Tally& tally) {
+int compare_sums(double a, double b, double c, double d, double e, double f, Tally& tally) {
   ++tally.filtered;
-  return sign_of(parameter(s, t) - parameter(s, r));
+  return sign_of((a + b + c) - (d + e + f));
+}
+
+int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
+                      Tally& tally) {
+  ++tally.filtered;
+  return sign_of(parameter(s, t) - parameter(q, r));
 }
 
 Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
