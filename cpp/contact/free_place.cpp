@@ -305,8 +305,9 @@ const std::vector<WitnessSearch::Pair>& FreePlaceSearch::pairs_near(const FreePl
   while (at.hi > length) {
     length *= 2;
   }
-  search.begin({operands_.relative_start(place.edge), length * line.dx, length * line.dy});
-  return search.pairs_near(at.lo / length, at.hi / length);
+  return search.all_pairs_near(
+      {operands_.relative_start(place.edge), length * line.dx, length * line.dy}, at.lo / length,
+      at.hi / length);
 }
 
 }  // namespace gcv

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <unordered_map>
+#include <utility>
 
 #include "limits.hpp"
 
@@ -12,10 +13,10 @@ namespace gcv {
 
 namespace {
 
-constexpr Rank no_cone = std::numeric_limits<Rank>::max();
+constexpr Rank no_turn = std::numeric_limits<Rank>::max();
 
 // An edge, but for its place: the exact way from its start to its end as two sums of doubles, and
-// the rank from which the cone of its start turns to it.
+// the rank from which the boundary turns to it, if that matters.
 using EdgeKey = std::array<std::uint64_t, 5>;
 
 // The numbers of the chains below a node; 0 stands for a missing one.
@@ -42,10 +43,10 @@ class Numbering {
   explicit Numbering(const Operands& operands) : operands_(operands) {}
 
   // Nothing where few are repeated, or where numbers overflow.
-  EqualChains run() {
+  EqualChains chains() {
     const Directions& directions = operands_.directions;
-    const std::optional<Edges> a = number_edges(operands_.a, directions.rank_a);
-    const std::optional<Edges> b = number_edges(operands_.b, directions.rank_b);
+    const std::optional<Edges> a = number_edges(operands_.a, directions.rank_a, Turns::convex);
+    const std::optional<Edges> b = number_edges(operands_.b, directions.rank_b, Turns::convex);
     if (!a || !b || edge_numbers_.size() > at_most(a->size() + b->size())) {
       return {};
     }
@@ -59,8 +60,22 @@ class Numbering {
     return chains;
   }
 
+  // Likewise.
+  EqualNodes nodes() {
+    const Directions& directions = operands_.directions;
+    const std::optional<Edges> a = number_edges(operands_.a, directions.rank_a, Turns::all);
+    const std::size_t different = std::exchange(edge_numbers_, {}).size();
+    const std::optional<Edges> b = number_edges(operands_.b, directions.rank_b, Turns::all);
+    if (!a || !b || different + edge_numbers_.size() > at_most(a->size() + b->size())) {
+      return {};
+    }
+    return {number_nodes(operands_.a.cover_index().chords, *a),
+            number_nodes(operands_.b.cover_index().chords, *b)};
+  }
+
  private:
   using Edges = std::vector<std::uint32_t>;
+  enum class Turns { convex, all };  // that matter
 
   // How many different ones there may be of so many.
   static std::size_t at_most(std::size_t all) {
@@ -75,7 +90,7 @@ class Numbering {
   }
 
   // Nothing where a coordinate of an edge overflows.
-  std::optional<Edges> number_edges(const Boundary& polygon, const Ranks& ranks) {
+  std::optional<Edges> number_edges(const Boundary& polygon, const Ranks& ranks, Turns turns) {
     Edges edges(polygon.size());
     for (Index i = 0; i < polygon.size(); ++i) {
       const Point& p = polygon.vertices[i];
@@ -86,8 +101,9 @@ class Numbering {
         return std::nullopt;
       }
       const auto bits = [](double value) { return std::bit_cast<std::uint64_t>(value + 0.0); };
+      const bool matters = turns == Turns::all || polygon.corners[i].convex;
       const EdgeKey key{bits(x.hi), bits(x.lo), bits(y.hi), bits(y.lo),
-                        polygon.corners[i].convex ? ranks[polygon.previous(i)] : no_cone};
+                        matters ? ranks[polygon.previous(i)] : no_turn};
       // Where another ring starts, chains go on elsewhere.
       edges[i] = polygon.layout.starts_another(i) ? ++last_ : number(edge_numbers_, key);
     }
@@ -110,6 +126,28 @@ class Numbering {
       }
     }
     return numbers;
+  }
+
+  std::vector<EqualNodes::Node> number_nodes(const ChordTree& tree, const Edges& edges) {
+    constexpr std::uint32_t width = ChordTree::width;
+    std::vector<EqualNodes::Node> nodes(tree.blocks.size() * width);
+    for (std::size_t k = nodes.size(); k-- > 0;) {
+      const auto node = static_cast<ChordTree::Node>(k);
+      if ((tree.block_of(node).lanes >> ChordTree::lane_of(node) & 1U) == 0) {
+        continue;
+      }
+      const std::uint32_t below = tree.below(node);
+      if (tree.is_edge(node)) {
+        nodes[k] = {edges[below], below};
+        continue;
+      }
+      ChainKey key;
+      for (std::uint32_t lane = 0; lane < width; ++lane) {
+        key[lane] = nodes[ChordTree::node(below, lane)].number;
+      }
+      nodes[k] = {number(chain_numbers_, key), nodes[ChordTree::node(below, 0)].first};
+    }
+    return nodes;
   }
 
   const Operands& operands_;
@@ -137,8 +175,13 @@ bool chains_can_prevail(const Operands& operands) {
 }
 
 EqualChains find_equal_chains(const Operands& operands) {
-  return directions_are_repeated(operands, limits::edges_a_direction) ? Numbering(operands).run()
+  return directions_are_repeated(operands, limits::edges_a_direction) ? Numbering(operands).chains()
                                                                       : EqualChains{};
+}
+
+EqualNodes find_equal_nodes(const Operands& operands) {
+  return directions_are_repeated(operands, limits::edges_a_direction) ? Numbering(operands).nodes()
+                                                                      : EqualNodes{};
 }
 
 }  // namespace gcv

@@ -38,6 +38,24 @@ struct EqualChains {
 // O(n + m); O(1) where the directions of the edges tell that few are repeated.
 EqualChains find_equal_chains(const Operands& operands);
 
+// Numbers for the nodes of both trees of chords. Nodes of one tree have the same number only where
+// the edges below them, one after the other, and the edge before these have the same directions and
+// lengths, exactly.
+struct EqualNodes {
+  struct Node {
+    std::uint32_t number;
+    Index first;  // of the edges below it
+  };
+
+  std::vector<Node> a;  // empty where few edges are equal
+  std::vector<Node> b;  // with other numbers than those of A
+
+  [[nodiscard]] bool exist() const { return !a.empty(); }
+};
+
+// O(n + m); O(1) where the directions of the edges tell that few are repeated.
+EqualNodes find_equal_nodes(const Operands& operands);
+
 // Do the directions of the edges allow that repeated chains prevail? O(1).
 bool chains_can_prevail(const Operands& operands);
 
@@ -61,9 +79,9 @@ class VisitedPairs {
     return again;
   }
 
-  // Do searches meet enough of them again?
-  [[nodiscard]] bool is_of_use() const {
-    return meetings_ < many || meetings_again_ >= meetings_ / 64;
+  // Do searches meet one of so many of them again, as far as is known?
+  [[nodiscard]] bool is_of_use(std::uint64_t one_of) const {
+    return meetings_ < many || meetings_again_ >= meetings_ / one_of;
   }
 
  private:

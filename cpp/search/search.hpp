@@ -163,7 +163,8 @@ class Search {
   }
 
   [[nodiscard]] VisitedPairs* visited() {
-    return visited_ && visited_->is_of_use() ? visited_.get() : nullptr;
+    return visited_ && visited_->is_of_use(limits::chains_a_repeated_one) ? visited_.get()
+                                                                          : nullptr;
   }
 
   // Visits the edges that have a point in the piece of the stretch, if the place cache holds them,

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "box.hpp"
+#include "limits.hpp"
 #include "tree_product.hpp"
 
 namespace gcv {
@@ -14,6 +16,16 @@ namespace {
 
 // The least progress along a line that a witness is taken for.
 constexpr double least_progress = 0x1p-20;
+
+// A witness is looked for in so many nodes in their order first: they are large, and their
+// witnesses reach far. After these, one small one is looked for, depth first. Else it would take
+// all pairs of teeth that are near a place between two combs.
+constexpr std::size_t largest_nodes = 8;
+// Of so many of the last nodes the one that is near the line for longest comes first.
+constexpr std::size_t last_nodes = 4;
+// A search that meets more pairs of edges than that, and no witness, ends: the place lies on the
+// borders of many parallelograms, and their contacts tell sooner.
+constexpr std::size_t most_new_pairs = 8;
 
 // For heaps with the first in front. A total order, so that every standard library has the same.
 constexpr auto comes_later = [](const auto& p, const auto& q) {
@@ -37,8 +49,27 @@ WitnessSearch::WitnessSearch(const Operands& operands)
       a_(operands.a.cover_index().chords),
       b_(operands.b.cover_index().chords),
       slack_(slack_in_range(operands)),
+      met_(met_pairs(operands)),
       cells_(operands, slack_),
       sums_(operands, slack_) {}
+
+// Where rings of a polygon touch, the solid has more sides in a point than those of two edges.
+std::optional<WitnessSearch::MetPairs> WitnessSearch::met_pairs(const Operands& operands) {
+  if (!operands.a.cover_index().touches.empty() || !operands.b.cover_index().touches.empty()) {
+    return std::nullopt;
+  }
+  EqualNodes nodes = find_equal_nodes(operands);
+  return nodes.exist() ? std::optional(MetPairs{std::move(nodes), {}}) : std::nullopt;
+}
+
+bool WitnessSearch::meet_again(const Nodes& nodes) {
+  if (!met_ || !leaves_out_ || !met_->visited.is_of_use(limits::nodes_a_repeated_one)) {
+    return false;
+  }
+  const EqualNodes::Node& a = met_->nodes.a[nodes.a];
+  const EqualNodes::Node& b = met_->nodes.b[nodes.b];
+  return met_->visited.meet(a.number, b.number, operands_.point({a.first, b.first}));
+}
 
 WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
   const bool of_a = a_.extent(nodes.a) >= b_.extent(nodes.b);
@@ -139,6 +170,11 @@ void WitnessSearch::begin(const RelativeLine& line, bool with_sums) {
   waiting_.clear();
   covers_.clear();
   near_pairs_.clear();
+  next_near_ = 0;
+  leaves_out_ = true;
+  if (met_) {
+    met_->visited.clear();
+  }
 }
 
 double WitnessSearch::met_reach(double t, double least) {
@@ -175,6 +211,9 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
       return;
     }
     const Nodes child = children.nodes(lane);
+    if (meet_again(child)) {
+      return;
+    }
     const Range covered{all.covered_from[lane], all.covered_to[lane]};
     if (covered.from < covered.to && covered.to > from && covered.from < 1) {
       covers_.push_back({covered, child});
@@ -189,6 +228,27 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
       queue_.push_back({near, child});
     }
   });
+}
+
+void WitnessSearch::expand_first(double from, double to) {
+  const Waiting waiting = queue_[next_++];
+  if (!(waiting.near.to < from)) {
+    expand(waiting.nodes, from, to);
+  }
+}
+
+void WitnessSearch::expand_last(double from, double to) {
+  const std::size_t last = queue_.size() - 1;
+  for (std::size_t k = queue_.size() - std::min(queue_.size() - next_, last_nodes); k < last; ++k) {
+    if (queue_[k].near.to > queue_[last].near.to) {
+      std::swap(queue_[k], queue_[last]);
+    }
+  }
+  const Waiting waiting = queue_.back();
+  queue_.pop_back();
+  if (!(waiting.near.to < from)) {
+    expand(waiting.nodes, from, to);
+  }
 }
 
 double WitnessSearch::reach(double t, double until) {
@@ -206,10 +266,15 @@ double WitnessSearch::reach(double t, double until) {
       continue;
     }
     activate(t);
-    while (next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t)) {
-      const Waiting waiting = queue_[next_++];
-      if (!(waiting.near.to < t)) {
-        expand(waiting.nodes, t, t);
+    const std::size_t most_pairs = near_pairs_.size() + most_new_pairs;
+    for (std::size_t k = 0;
+         next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t); ++k) {
+      if (k < largest_nodes) {
+        expand_first(t, t);
+      } else if (near_pairs_.size() <= most_pairs) {
+        expand_last(t, t);
+      } else {
+        return t;
       }
     }
     if (next_ == queue_.size()) {
@@ -223,13 +288,43 @@ double WitnessSearch::reach(double t, double until) {
   return t;
 }
 
+void WitnessSearch::approach(double from, double to) {
+  activate(to);
+  near_pairs_.erase(std::remove_if(near_pairs_.begin(), near_pairs_.end(),
+                                   [&](const NearPair& p) { return p.near.to < from; }),
+                    near_pairs_.end());
+  approached_ = {from, to};
+  next_near_ = 0;
+}
+
+std::optional<WitnessSearch::Pair> WitnessSearch::next_found_pair() {
+  while (next_near_ < near_pairs_.size()) {
+    const NearPair& found = near_pairs_[next_near_++];
+    if (!(found.near.from > approached_.to)) {
+      return found.pair;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<WitnessSearch::Pair> WitnessSearch::next_pair() {
+  while (true) {
+    if (const std::optional<Pair> found = next_found_pair()) {
+      return found;
+    }
+    if (next_ == queue_.size()) {
+      queue_.clear();
+      next_ = 0;
+      return std::nullopt;
+    }
+    expand_last(approached_.from, approached_.to);
+  }
+}
+
 const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, double to) {
   activate(to);
-  for (; next_ < queue_.size(); ++next_) {
-    const Waiting waiting = queue_[next_];
-    if (!(waiting.near.to < from)) {
-      expand(waiting.nodes, from, to);
-    }
+  while (next_ < queue_.size()) {
+    expand_first(from, to);
   }
   queue_.clear();
   next_ = 0;
@@ -243,6 +338,13 @@ const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, d
     }
   }
   return pairs_;
+}
+
+const std::vector<WitnessSearch::Pair>& WitnessSearch::all_pairs_near(const RelativeLine& line,
+                                                                      double from, double to) {
+  begin(line);
+  leaves_out_ = false;
+  return pairs_near(from, to);
 }
 
 }  // namespace gcv

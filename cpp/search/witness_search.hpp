@@ -11,6 +11,7 @@
 #include "convex_sums.hpp"
 #include "covered_cells.hpp"
 #include "edges_below.hpp"
+#include "equal_chains.hpp"
 #include "sectors.hpp"
 #include "witness.hpp"
 
@@ -30,8 +31,8 @@ class WitnessSearch {
   [[nodiscard]] bool uses_sums() const { return uses_sums_; }
 
   // How far from t on the line lies in the open sum: a parameter up to 1, itself in the open sum.
-  // t itself if no witness holds it, or none much more. Goes no further once it is beyond `until`.
-  // t never goes back.
+  // t itself if no witness holds it, or none much more; or where there are many pairs of edges near
+  // it and none is found soon. Goes no further once it is beyond `until`. t never goes back.
   double reach(double t, double until = 1);
 
   struct Pair {
@@ -39,10 +40,16 @@ class WitnessSearch {
     Index j;
   };
   // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a
-  // parameter from `from` to `to`. These never go back.
+  // parameter from `from` to `to`. These never go back. Of pairs with equal sums, their solid sides
+  // and the edges before them the same, too, some are left out, but not the first.
   const std::vector<Pair>& pairs_near(double from, double to);
-  // The last of these.
-  [[nodiscard]] const std::vector<Pair>& pairs() const { return pairs_; }
+  // The same, one after the other: the next one is searched for when it is asked for.
+  void approach(double from, double to);
+  std::optional<Pair> next_pair();
+  // The next one that was found without that, if there is one.
+  std::optional<Pair> next_found_pair();
+  // Sets out along a line to such pairs, and leaves out none.
+  const std::vector<Pair>& all_pairs_near(const RelativeLine& line, double from, double to);
 
   // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the
   // half-plane that begins with a rank: from that on counter-clockwise, without the opposite rank.
@@ -118,6 +125,9 @@ class WitnessSearch {
   // Puts the children of nodes that come near the line from `from` on where they belong: in the
   // queue, if this is before `to`.
   void expand(const Nodes& nodes, double from, double to);
+  // The same for nodes in the queue.
+  void expand_first(double from, double to);
+  void expand_last(double from, double to);
   // Moves the nodes that come near the line before that to the queue.
   void activate(double to);
 
@@ -142,6 +152,19 @@ class WitnessSearch {
   std::vector<Cover> covers_;     // likewise
   std::vector<NearPair> near_pairs_;
   std::vector<Pair> pairs_;
+  Range approached_{};         // a part of the line
+  std::size_t next_near_ = 0;  // of the near pairs
+
+  // Pairs of nodes that were met on the line, where many are equal.
+  struct MetPairs {
+    EqualNodes nodes;
+    VisitedPairs visited;
+  };
+  [[nodiscard]] static std::optional<MetPairs> met_pairs(const Operands& operands);
+  // Has an equal pair been met?
+  [[nodiscard]] bool meet_again(const Nodes& nodes);
+  std::optional<MetPairs> met_;
+  bool leaves_out_ = true;
 
   std::uint64_t visits_ = 0;
 

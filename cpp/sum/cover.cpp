@@ -2,7 +2,6 @@
 #include "cover.hpp"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <iterator>
 #include <limits>
@@ -42,35 +41,6 @@ Containment EdgeCover::contained_at(const PlacesOnLine& places, const RelativeLi
   const Box around =
       widened(box_of(line.at(parameters.lo), line.at(parameters.hi)), search_.slack());
   return containment_at(operands_, places, place, around, seen_, tally_);
-}
-
-std::optional<EdgeCover::Sides> EdgeCover::sides_of(const WitnessSearch::Pair& pair) const {
-  const auto [i, j] = pair;
-  const Directions& directions = operands_.directions;
-  const Rank angle = directions.angle(directions.rank_a[i], directions.rank_b[j]);
-  if (angle == 0 || angle == directions.half_turn) {
-    return std::nullopt;
-  }
-  const int sign = angle < directions.half_turn ? 1 : -1;
-  const auto line = [&](const PairEdge& edge) { return Line::of(operands_, edge); };
-  return Sides{{{line(operands_.translated(i, j)), sign},
-                {line(operands_.translated(i, operands_.b.next(j))), -sign},
-                {line(operands_.corner(i, j)), -sign},
-                {line(operands_.corner(operands_.a.next(i), j)), sign}}};
-}
-
-Place EdgeCover::exit_of(const PlacesOnLine& places, const Sides& sides) {
-  std::optional<Place> exit;
-  for (const Side& side : sides.side) {
-    if (places.turn_from(side.line) == -side.sign) {
-      const Place place = places.crossing(side.line);
-      if (!exit || places.compare(place, *exit) < 0) {
-        exit = place;
-      }
-    }
-  }
-  assert(exit);
-  return *exit;
 }
 
 template <class Visit>
@@ -116,13 +86,15 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
     return start;
   }
   std::optional<Place> furthest;
-  for (const WitnessSearch::Pair& pair : search_.pairs_near(t, t)) {
-    const std::optional<Sides> sides = sides_of(pair);
+  search_.approach(t, t);
+  while (const std::optional<WitnessSearch::Pair> pair =
+             furthest ? search_.next_found_pair() : search_.next_pair()) {
+    const std::optional<Parallelogram> sides = parallelogram(*pair);
     if (!sides) {
       continue;
     }
     const bool holds =
-        std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+        std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
           const int turn = places.turn_from(side.line);
           if (turn == 0) {
             return places.side_of(side.line, places.start()) == side.sign;
@@ -131,7 +103,7 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
           return turn == side.sign ? parameter.hi < t : parameter.lo > t;
         });
     if (holds) {
-      const Place exit = exit_of(places, *sides);
+      const Place exit = sides->exit(places);
       if (!furthest || exit.parameter.lo > furthest->parameter.lo) {
         furthest = exit;
       }
@@ -174,14 +146,14 @@ std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const Rel
                                          ? WitnessSearch::Pair{f.i, operands_.b.previous(f.j)}
                                          : WitnessSearch::Pair{operands_.a.previous(f.i), f.j};
   for (const WitnessSearch::Pair& pair : {WitnessSearch::Pair{f.i, f.j}, before}) {
-    const std::optional<Sides> sides = sides_of(pair);
-    const auto holds = [&](const Side& side) {
+    const std::optional<Parallelogram> sides = parallelogram(pair);
+    const auto holds = [&](const Parallelogram::Side& side) {
       const EdgeName& edge = side.line.edge;
       const int here = edge == f ? 0 : places.side_of(side.line, place);
       return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
     };
-    if (sides && std::all_of(std::begin(sides->side), std::end(sides->side), holds)) {
-      return skip_between(places, line, place, exit_of(places, *sides));
+    if (sides && std::all_of(sides->begin(), sides->end(), holds)) {
+      return skip_between(places, line, place, sides->exit(places));
     }
   }
   return place;
@@ -230,10 +202,21 @@ void EdgeCover::see(double from, double to) {
   }
 }
 
+std::optional<WitnessSearch::Pair> EdgeCover::look_at_next() {
+  while (const std::optional<WitnessSearch::Pair> pair = search_.next_pair()) {
+    if (pair->i < seen_) {
+      looked_at_.push_back(*pair);
+      return pair;
+    }
+  }
+  return std::nullopt;
+}
+
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
   const Interval parameters = parameters_of(line, place);
-  see(parameters.lo, parameters.hi);
+  search_.approach(parameters.lo, parameters.hi);
+  looked_at_.clear();
   Surroundings result{false, BlockedDirections(operands_.directions),
                       BlockedDirections(operands_.directions)};
   bool is_inside = false;  // is the pair no border's?
@@ -269,9 +252,9 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
     return std::any_of(touching.begin(), touching.end(),
                        [&](Index vertex) { return is_at(places, place, sum(vertex)); });
   };
-  for (const WitnessSearch::Pair& pair : pairs_) {
-    const Index i = pair.i;
-    const Index j = pair.j;
+  while (const std::optional<WitnessSearch::Pair> pair = look_at_next()) {
+    const Index i = pair->i;
+    const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;
     if (is_at(places, place, {i, j})) {
       contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
@@ -284,11 +267,12 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
       if (!is_among(touches_b_.on(j), [&](Index k) { return VertexSum{i, k}; })) {
         contact(cones_.vertex_of_a(i), cones_.edge_of_b(j));
       }
-    } else if (const std::optional<Sides> sides = sides_of(pair);
-               sides && !is_sum_of_touches(places, place, pair)) {
-      result.is_covered = std::all_of(
-          std::begin(sides->side), std::end(sides->side),
-          [&](const Side& side) { return places.side_of(side.line, place) == side.sign; });
+    } else if (const std::optional<Parallelogram> sides = parallelogram(*pair);
+               sides && !is_sum_of_touches(places, place, *pair)) {
+      result.is_covered =
+          std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
+            return places.side_of(side.line, place) == side.sign;
+          });
     }
     if (result.is_covered) {
       break;
@@ -305,15 +289,15 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
       furthest = exit;
     }
   };
-  for (const WitnessSearch::Pair& pair : pairs_) {
-    if (const std::optional<Sides> sides = sides_of(pair)) {
+  const auto take_exit_of = [&](const WitnessSearch::Pair& pair) {
+    if (const std::optional<Parallelogram> sides = parallelogram(pair)) {
       const bool holds =
-          std::all_of(std::begin(sides->side), std::end(sides->side), [&](const Side& side) {
+          std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
             const int here = places.side_of(side.line, place);
             return (here != 0 ? here : places.turn_from(side.line)) == side.sign;
           });
       if (holds) {
-        take(exit_of(places, *sides));
+        take(sides->exit(places));
       }
     }
     for_each_slide(places, pair, [&](const Slide& slide) {
@@ -322,9 +306,17 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
         take(Place::of(slide.to));
       }
     });
-  }
+  };
+  std::for_each(looked_at_.begin(), looked_at_.end(), take_exit_of);
   if (containment.of_line) {
     take(containment.end ? *containment.end : places.end());
+  }
+  while (!furthest) {
+    const std::optional<WitnessSearch::Pair> pair = look_at_next();
+    if (!pair) {
+      break;
+    }
+    take_exit_of(*pair);
   }
   if (!furthest) {
     throw Error(Status::internal, "no witness covers what follows a covered place");
@@ -348,7 +340,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
         come(Place::of(slide.from));
       }
     });
-    const std::optional<Sides> sides = sides_of(pair);
+    const std::optional<Parallelogram> sides = parallelogram(pair);
     if (!sides) {
       continue;
     }
@@ -356,7 +348,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     bool is_right = true;  // does it hold the germ between its entry and its exit?
     bool holds_places = true;
     std::optional<Place> entry;
-    for (const Side& side : sides->side) {
+    for (const Parallelogram::Side& side : *sides) {
       const int turn = places.turn_from(side.line);
       const int here = places.side_of(side.line, place);
       if (turn == 0) {
@@ -374,7 +366,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
         }
       }
     }
-    const Place exit = exit_of(places, *sides);
+    const Place exit = sides->exit(places);
     if (holds_germ && (!germ_exit || places.compare(exit, *germ_exit) > 0)) {
       germ_exit = exit;
     }

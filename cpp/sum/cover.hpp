@@ -23,6 +23,7 @@
 #include "contacts.hpp"
 #include "containment.hpp"
 #include "contributing_vertices.hpp"
+#include "parallelogram.hpp"
 #include "places_on_line.hpp"
 #include "walked_lines.hpp"
 #include "window_border.hpp"
@@ -104,10 +105,16 @@ class EdgeCover {
         place = leave_ring(places, line, run->to);
         continue;
       }
+      const bool is_end = places.compare(*place, part.to) >= 0;
+      if (is_end && border_ == nullptr && lies_on_known_ring(places, *place, visitor)) {
+        if (segment) {
+          visitor.segment(places, *segment, *place);
+        }
+        return;
+      }
       Surroundings surroundings = look(places, line, *place);
       const Containment containment = contained_at(places, line, *place);
       surroundings.is_covered = surroundings.is_covered || containment.of_place;
-      const bool is_end = places.compare(*place, part.to) >= 0;
       const bool leads_on =
           !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
       const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);
@@ -197,6 +204,9 @@ class EdgeCover {
   // What lies between two places is covered. Nothing, or a place beyond, as skip() has it.
   std::optional<Place> skip_between(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& from, const Place& to);
+  // Does a ring that is known pass through the place, along another superset edge?
+  template <class Visitor>
+  bool lies_on_known_ring(const PlacesOnLine& places, const Place& place, Visitor& visitor);
   // The run that passes along s from the place on, or nullptr.
   [[nodiscard]] const Run* find_run(const PlacesOnLine& places, const RelativeLine& line,
                                     const Place& place) const;
@@ -230,8 +240,10 @@ class EdgeCover {
   std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
   // Finds the pairs of edges near places from one parameter to another.
   void see(double from, double to);
-  // The contacts at a place. Leaves the pairs of edges near it in pairs_.
+  // The contacts at a place; not all of them if it is covered.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+  // The next pair of edges near the place that is looked at.
+  std::optional<WitnessSearch::Pair> look_at_next();
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
   // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
@@ -247,18 +259,9 @@ class EdgeCover {
   // Parameters that enclose that of a place on s.
   [[nodiscard]] Interval parameters_of(const RelativeLine& line, const Place& place) const;
 
-  // The sides of the parallelogram of two edges. The inside is on the side `sign` of each.
-  struct Side {
-    Line line;
-    int sign;
-  };
-  struct Sides {
-    Side side[4];
-  };
-  // Nothing for parallel edges.
-  [[nodiscard]] std::optional<Sides> sides_of(const WitnessSearch::Pair& pair) const;
-  // The first crossing with a side through which s leaves the parallelogram.
-  [[nodiscard]] static Place exit_of(const PlacesOnLine& places, const Sides& sides);
+  [[nodiscard]] std::optional<Parallelogram> parallelogram(const WitnessSearch::Pair& pair) const {
+    return Parallelogram::of(operands_, pair.i, pair.j);
+  }
 
   // Edges of which one slides along s with a vertex of the other on it, their solid sides on the
   // same side: covered from `from` to `to`.
@@ -280,7 +283,32 @@ class EdgeCover {
   WitnessSearch search_;
   std::span<const WitnessSearch::Pair> pairs_;
   std::vector<WitnessSearch::Pair> seen_pairs_;  // if some are not
+  std::vector<WitnessSearch::Pair> looked_at_;   // near the last place that was looked at
   std::vector<Run> runs_;                        // of the edge that is walked
 };
+
+template <class Visitor>
+bool EdgeCover::lies_on_known_ring(const PlacesOnLine& places, const Place& place,
+                                   Visitor& visitor) {
+  const auto lies_on = [&](const PairEdge& edge) {
+    if (places.is_parallel(edge)) {
+      return false;
+    }
+    const PlacesOnLine others(operands_, edge, tally_);
+    const Place here = place.is_sum ? place : others.crossing(places.line());
+    runs_.clear();
+    visitor.known_runs(others, runs_);
+    return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
+      return others.compare(run.from, here) <= 0 && others.compare(here, run.to) <= 0;
+    });
+  };
+  if (!place.is_sum) {
+    return lies_on(place.crossing);
+  }
+  const auto [i, j] = place.sum;
+  return lies_on(operands_.translated(i, j)) || lies_on(operands_.corner(i, j)) ||
+         lies_on(operands_.translated(operands_.a.previous(i), j)) ||
+         lies_on(operands_.corner(i, operands_.b.previous(j)));
+}
 
 }  // namespace gcv

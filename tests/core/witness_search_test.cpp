@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -121,6 +122,16 @@ TEST(WitnessSearch, ReachesOnlyWhatLiesInTheOpenSum) {
   EXPECT_GT(reached, 500U);
 }
 
+std::vector<WitnessSearch::Pair> one_by_one(WitnessSearch& search, double from, double to) {
+  std::vector<WitnessSearch::Pair> pairs;
+  search.approach(from, to);
+  while (const std::optional<WitnessSearch::Pair> pair = search.next_pair()) {
+    pairs.push_back(*pair);
+  }
+  EXPECT_FALSE(search.next_found_pair());
+  return pairs;
+}
+
 TEST(WitnessSearch, MissesNoPairOfEdges) {
   Random random(362);
   std::size_t found = 0;
@@ -133,11 +144,13 @@ TEST(WitnessSearch, MissesNoPairOfEdges) {
       for (double from = 0, to = 0; to < 1; from = std::min(to + 0.125, 1.0)) {
         from = search.reach(from);
         to = std::min(from + 0.125 * test::uniform(random, 0, 4), 1.0);
+        const std::vector<WitnessSearch::Pair> pairs =
+            k % 2 == 0 ? search.pairs_near(from, to) : one_by_one(search, from, to);
         std::set<std::pair<Index, Index>> near;
-        for (const WitnessSearch::Pair& pair : search.pairs_near(from, to)) {
+        for (const WitnessSearch::Pair& pair : pairs) {
           near.emplace(pair.i, pair.j);
         }
-        ASSERT_EQ(search.pairs().size(), near.size());
+        ASSERT_EQ(pairs.size(), near.size());
         for (Index i = 0; i < example.a.size(); ++i) {
           for (Index j = 0; j < example.b.size(); ++j) {
             const bool is_near = example.holds(i, j, Example::at(line, from)) ||
@@ -151,6 +164,63 @@ TEST(WitnessSearch, MissesNoPairOfEdges) {
     }
   }
   EXPECT_GT(found, 1000U);
+}
+
+// A comb, whose teeth are alike but for the height of every third one.
+Boundary comb(int teeth) {
+  PointVector ring{{0, -1}, {2.0 * teeth - 1, -1}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    const double x = 2 * k;
+    const double height = k % 3 == 0 ? 4 : 5;
+    ring.insert(ring.end(), {{x + 1, height}, {x, height}});
+    if (k > 0) {
+      ring.insert(ring.end(), {{x, 0}, {x - 1, 0}});
+    }
+  }
+  return make_ring(ring, "comb");
+}
+
+TEST(WitnessSearch, LeavesOutPairsThatEqualOthersAlone) {
+  const Example example{comb(24), comb(20)};
+  const auto sum_of_pair = [&](const WitnessSearch::Pair& pair) {
+    const auto [i, j] = pair;
+    const Point p = example.operands.relative(i, j);
+    const Point q = example.operands.relative(example.a.next(i), example.b.next(j));
+    const Directions& directions = example.operands.directions;
+    return std::tuple{p.x,
+                      p.y,
+                      q.x,
+                      q.y,
+                      directions.rank_a[i],
+                      directions.rank_b[j],
+                      directions.rank_a[example.a.previous(i)],
+                      directions.rank_b[example.b.previous(j)]};
+  };
+  using Sum = decltype(sum_of_pair({}));
+  WitnessSearch search(example.operands);
+  std::size_t left_out = 0;
+  for (const PairEdge& edge : example.contributing_edges()) {
+    if (edge.i % 5 != 0 || edge.j % 5 != 0) {
+      continue;
+    }
+    const RelativeLine line = example.line(edge);
+    const std::vector<WitnessSearch::Pair> all = search.all_pairs_near(line, 0, 1);
+    search.begin(line);
+    const std::vector<WitnessSearch::Pair> some = search.pairs_near(0, 1);
+    search.begin(line);
+    ASSERT_LE(one_by_one(search, 0, 1).size(), all.size());
+    std::multiset<Sum> sums;
+    for (const WitnessSearch::Pair& pair : some) {
+      sums.insert(sum_of_pair(pair));
+    }
+    std::set<std::pair<Index, Index>> different;
+    for (const WitnessSearch::Pair& pair : all) {
+      ASSERT_TRUE(different.emplace(pair.i, pair.j).second);
+      ASSERT_GE(sums.count(sum_of_pair(pair)), 1U);
+    }
+    left_out += all.size() - some.size();
+  }
+  EXPECT_GT(left_out, 300U);
 }
 
 TEST(WitnessSearch, PassesOverCoveredEdgesAlone) {
