@@ -30,6 +30,8 @@ int sign_along(const Point& direction, const Point& from, const Point& to, Tally
 template <class Best>
 class BestFree {
  public:
+  static constexpr bool knows_rings = false;
+
   BestFree(const Operands& operands, const WantedParts& wanted, EdgeCover& cover,
            const NearestEdges& edges, double reach, Tally& tally)
       : operands_(operands),
@@ -44,7 +46,6 @@ class BestFree {
   // Places further from the goal than this do not matter.
   [[nodiscard]] const double& reach() const { return reach_; }
 
-  void known_runs(const PlacesOnLine& /*places*/, std::vector<EdgeCover::Run>& /*runs*/) {}
   Place ring(const PlacesOnLine& places, const Place& from) {
     // A fit may go on where the free side ends.
     const Place to = cover_.end_of_free(places, from, !wanted_.fits);

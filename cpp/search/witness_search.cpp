@@ -238,16 +238,19 @@ void WitnessSearch::expand_first(double from, double to) {
 }
 
 void WitnessSearch::expand_last(double from, double to) {
+  const Waiting waiting = queue_.back();
+  queue_.pop_back();
+  if (!(waiting.near.to < from)) {
+    expand(waiting.nodes, from, to);
+  }
+}
+
+void WitnessSearch::put_longest_last() {
   const std::size_t last = queue_.size() - 1;
   for (std::size_t k = queue_.size() - std::min(queue_.size() - next_, last_nodes); k < last; ++k) {
     if (queue_[k].near.to > queue_[last].near.to) {
       std::swap(queue_[k], queue_[last]);
     }
-  }
-  const Waiting waiting = queue_.back();
-  queue_.pop_back();
-  if (!(waiting.near.to < from)) {
-    expand(waiting.nodes, from, to);
   }
 }
 
@@ -272,6 +275,7 @@ double WitnessSearch::reach(double t, double until) {
       if (k < largest_nodes) {
         expand_first(t, t);
       } else if (near_pairs_.size() <= most_pairs) {
+        put_longest_last();
         expand_last(t, t);
       } else {
         return t;

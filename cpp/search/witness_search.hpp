@@ -128,6 +128,8 @@ class WitnessSearch {
   // The same for nodes in the queue.
   void expand_first(double from, double to);
   void expand_last(double from, double to);
+  // Of the last of these, puts the one that is near the line for longest in the last place.
+  void put_longest_last();
   // Moves the nodes that come near the line before that to the queue.
   void activate(double to);
 

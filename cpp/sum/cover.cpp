@@ -89,7 +89,7 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
   search_.approach(t, t);
   while (const std::optional<WitnessSearch::Pair> pair =
              furthest ? search_.next_found_pair() : search_.next_pair()) {
-    const std::optional<Parallelogram> sides = parallelogram(*pair);
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair->i, pair->j);
     if (!sides) {
       continue;
     }
@@ -146,7 +146,7 @@ std::optional<Place> EdgeCover::leave_ring(const PlacesOnLine& places, const Rel
                                          ? WitnessSearch::Pair{f.i, operands_.b.previous(f.j)}
                                          : WitnessSearch::Pair{operands_.a.previous(f.i), f.j};
   for (const WitnessSearch::Pair& pair : {WitnessSearch::Pair{f.i, f.j}, before}) {
-    const std::optional<Parallelogram> sides = parallelogram(pair);
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair.i, pair.j);
     const auto holds = [&](const Parallelogram::Side& side) {
       const EdgeName& edge = side.line.edge;
       const int here = edge == f ? 0 : places.side_of(side.line, place);
@@ -267,7 +267,8 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
       if (!is_among(touches_b_.on(j), [&](Index k) { return VertexSum{i, k}; })) {
         contact(cones_.vertex_of_a(i), cones_.edge_of_b(j));
       }
-    } else if (const std::optional<Parallelogram> sides = parallelogram(*pair);
+    } else if (const std::optional<Parallelogram> sides =
+                   Parallelogram::of(operands_, pair->i, pair->j);
                sides && !is_sum_of_touches(places, place, *pair)) {
       result.is_covered =
           std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
@@ -290,7 +291,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
     }
   };
   const auto take_exit_of = [&](const WitnessSearch::Pair& pair) {
-    if (const std::optional<Parallelogram> sides = parallelogram(pair)) {
+    if (const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair.i, pair.j)) {
       const bool holds =
           std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
             const int here = places.side_of(side.line, place);
@@ -340,7 +341,7 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
         come(Place::of(slide.from));
       }
     });
-    const std::optional<Parallelogram> sides = parallelogram(pair);
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair.i, pair.j);
     if (!sides) {
       continue;
     }

@@ -35,7 +35,8 @@ namespace gcv {
 // that inside one of them, where their boundaries do not meet.
 //
 // Walks along superset edges. Takes what it finds to a visitor:
-//   known_runs(places, runs): adds where rings that are known pass along s;
+//   knows_rings: does it have
+//     known_runs(places, runs): adds where rings that are known pass along s;
 //   ring(places, from): a ring passes along s from that place on: returns where it leaves s;
 //   segment(places, from, to): s runs along F, with O on both sides;
 //   point(places, place): an isolated point of F.
@@ -81,9 +82,11 @@ class EdgeCover {
     search_.begin(line);
     std::optional<Place> segment;  // where one has begun
     runs_.clear();
-    visitor.known_runs(places, runs_);
-    for (Run& run : runs_) {
-      run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
+    if constexpr (Visitor::knows_rings) {
+      visitor.known_runs(places, runs_);
+      for (Run& run : runs_) {
+        run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
+      }
     }
     WindowBorder::Part part{places.start(), places.end()};
     if (border_ != nullptr) {
@@ -106,11 +109,13 @@ class EdgeCover {
         continue;
       }
       const bool is_end = places.compare(*place, part.to) >= 0;
-      if (is_end && border_ == nullptr && lies_on_known_ring(places, *place, visitor)) {
-        if (segment) {
-          visitor.segment(places, *segment, *place);
+      if constexpr (Visitor::knows_rings) {
+        if (is_end && border_ == nullptr && lies_on_known_ring(places, *place, visitor)) {
+          if (segment) {
+            visitor.segment(places, *segment, *place);
+          }
+          return;
         }
-        return;
       }
       Surroundings surroundings = look(places, line, *place);
       const Containment containment = contained_at(places, line, *place);
@@ -258,10 +263,6 @@ class EdgeCover {
   [[nodiscard]] double parameter_of(const RelativeLine& line, const Place& place) const;
   // Parameters that enclose that of a place on s.
   [[nodiscard]] Interval parameters_of(const RelativeLine& line, const Place& place) const;
-
-  [[nodiscard]] std::optional<Parallelogram> parallelogram(const WitnessSearch::Pair& pair) const {
-    return Parallelogram::of(operands_, pair.i, pair.j);
-  }
 
   // Edges of which one slides along s with a vertex of the other on it, their solid sides on the
   // same side: covered from `from` to `to`.

@@ -25,6 +25,8 @@ namespace {
 // Takes what covers leave.
 class Finder {
  public:
+  static constexpr bool knows_rings = true;
+
   Finder(const Operands& operands, Task& task, Tally& tally)
       : operands_(operands),
         task_(task),
