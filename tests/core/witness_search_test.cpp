@@ -166,13 +166,14 @@ TEST(WitnessSearch, MissesNoPairOfEdges) {
   EXPECT_GT(found, 1000U);
 }
 
-// A comb, whose teeth are alike but for the height of every third one.
+// A comb, whose teeth are alike but for the height of every third one and a side of every fifth
+// one: so what goes before an edge differs too, before convex and reflex vertices.
 Boundary comb(int teeth) {
   PointVector ring{{0, -1}, {2.0 * teeth - 1, -1}};
   for (int k = teeth - 1; k >= 0; --k) {
     const double x = 2 * k;
     const double height = k % 3 == 0 ? 4 : 5;
-    ring.insert(ring.end(), {{x + 1, height}, {x, height}});
+    ring.insert(ring.end(), {{x + 1, height}, {k % 5 == 0 ? x + 0.25 : x, height}});
     if (k > 0) {
       ring.insert(ring.end(), {{x, 0}, {x - 1, 0}});
     }
