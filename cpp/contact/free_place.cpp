@@ -297,7 +297,7 @@ bool FreePlaceSearch::holds(const PairEdge& edge, const ExactPoint& point) const
          side(perpendicular(line, operands_.end(edge)), point, tally_) >= 0;
 }
 
-const std::vector<WitnessSearch::Pair>& FreePlaceSearch::pairs_near(const FreePlace& place) {
+std::vector<WitnessSearch::Pair> FreePlaceSearch::pairs_near(const FreePlace& place) {
   WitnessSearch& search = cover_.search();
   const SumEdge line = coordinates(operands_.a, operands_.b, place.edge);
   const Interval at = search.slack() < infinity ? place.parameter : Interval{0, 1};

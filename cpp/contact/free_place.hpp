@@ -67,7 +67,7 @@ class FreePlaceSearch {
   [[nodiscard]] bool holds(const PairEdge& edge, const ExactPoint& point) const;
 
  private:
-  const std::vector<WitnessSearch::Pair>& pairs_near(const FreePlace& place);
+  std::vector<WitnessSearch::Pair> pairs_near(const FreePlace& place);
 
   const Operands& operands_;
   WantedParts wanted_;

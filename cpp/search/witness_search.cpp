@@ -325,30 +325,16 @@ std::optional<WitnessSearch::Pair> WitnessSearch::next_pair() {
   }
 }
 
-const std::vector<WitnessSearch::Pair>& WitnessSearch::pairs_near(double from, double to) {
-  activate(to);
-  while (next_ < queue_.size()) {
-    expand_first(from, to);
-  }
-  queue_.clear();
-  next_ = 0;
-  near_pairs_.erase(std::remove_if(near_pairs_.begin(), near_pairs_.end(),
-                                   [&](const NearPair& p) { return p.near.to < from; }),
-                    near_pairs_.end());
-  pairs_.clear();
-  for (const NearPair& near_pair : near_pairs_) {
-    if (!(near_pair.near.from > to)) {
-      pairs_.push_back(near_pair.pair);
-    }
-  }
-  return pairs_;
-}
-
-const std::vector<WitnessSearch::Pair>& WitnessSearch::all_pairs_near(const RelativeLine& line,
-                                                                      double from, double to) {
+std::vector<WitnessSearch::Pair> WitnessSearch::all_pairs_near(const RelativeLine& line,
+                                                               double from, double to) {
   begin(line);
   leaves_out_ = false;
-  return pairs_near(from, to);
+  approach(from, to);
+  std::vector<Pair> pairs;
+  while (const std::optional<Pair> pair = next_pair()) {
+    pairs.push_back(*pair);
+  }
+  return pairs;
 }
 
 }  // namespace gcv

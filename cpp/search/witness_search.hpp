@@ -39,17 +39,16 @@ class WitnessSearch {
     Index i;
     Index j;
   };
-  // All pairs of edges, one of each polygon, whose sums may hold a point of the line with a
-  // parameter from `from` to `to`. These never go back. Of pairs with equal sums, their solid sides
-  // and the edges before them the same, too, some are left out, but not the first.
-  const std::vector<Pair>& pairs_near(double from, double to);
-  // The same, one after the other: the next one is searched for when it is asked for.
+  // Sets out to all pairs of edges, one of each polygon, whose sums may hold a point of the line
+  // with a parameter from `from` to `to`. These never go back. Of pairs with equal sums, their
+  // solid sides and the edges before them the same, too, some are left out, but not the first.
   void approach(double from, double to);
+  // The next of these pairs, which is searched for when it is asked for.
   std::optional<Pair> next_pair();
   // The next one that was found without that, if there is one.
   std::optional<Pair> next_found_pair();
-  // Sets out along a line to such pairs, and leaves out none.
-  const std::vector<Pair>& all_pairs_near(const RelativeLine& line, double from, double to);
+  // Begins with a line, and finds all such pairs. Leaves out none.
+  std::vector<Pair> all_pairs_near(const RelativeLine& line, double from, double to);
 
   // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the
   // half-plane that begins with a rank: from that on counter-clockwise, without the opposite rank.
@@ -153,7 +152,6 @@ class WitnessSearch {
   std::vector<Waiting> waiting_;  // a heap: the one that comes near first is in front
   std::vector<Cover> covers_;     // likewise
   std::vector<NearPair> near_pairs_;
-  std::vector<Pair> pairs_;
   Range approached_{};         // a part of the line
   std::size_t next_near_ = 0;  // of the near pairs
 

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "box.hpp"
@@ -192,20 +191,10 @@ bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place
   return false;
 }
 
-void EdgeCover::see(double from, double to) {
-  pairs_ = search_.pairs_near(from, to);
-  if (seen_ < operands_.a.size()) {
-    seen_pairs_.clear();
-    std::copy_if(pairs_.begin(), pairs_.end(), std::back_inserter(seen_pairs_),
-                 [&](const WitnessSearch::Pair& pair) { return pair.i < seen_; });
-    pairs_ = seen_pairs_;
-  }
-}
-
-std::optional<WitnessSearch::Pair> EdgeCover::look_at_next() {
+std::optional<WitnessSearch::Pair> EdgeCover::next_pair() {
   while (const std::optional<WitnessSearch::Pair> pair = search_.next_pair()) {
     if (pair->i < seen_) {
-      looked_at_.push_back(*pair);
+      met_pairs_.push_back(*pair);
       return pair;
     }
   }
@@ -216,7 +205,7 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
                                         const Place& place) {
   const Interval parameters = parameters_of(line, place);
   search_.approach(parameters.lo, parameters.hi);
-  looked_at_.clear();
+  met_pairs_.clear();
   Surroundings result{false, BlockedDirections(operands_.directions),
                       BlockedDirections(operands_.directions)};
   bool is_inside = false;  // is the pair no border's?
@@ -252,7 +241,7 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
     return std::any_of(touching.begin(), touching.end(),
                        [&](Index vertex) { return is_at(places, place, sum(vertex)); });
   };
-  while (const std::optional<WitnessSearch::Pair> pair = look_at_next()) {
+  while (const std::optional<WitnessSearch::Pair> pair = next_pair()) {
     const Index i = pair->i;
     const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;
@@ -308,12 +297,12 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
       }
     });
   };
-  std::for_each(looked_at_.begin(), looked_at_.end(), take_exit_of);
+  std::for_each(met_pairs_.begin(), met_pairs_.end(), take_exit_of);
   if (containment.of_line) {
     take(containment.end ? *containment.end : places.end());
   }
   while (!furthest) {
-    const std::optional<WitnessSearch::Pair> pair = look_at_next();
+    const std::optional<WitnessSearch::Pair> pair = next_pair();
     if (!pair) {
       break;
     }
@@ -327,7 +316,7 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
                              const Place& place, bool right_is_free) {
-  see(parameters_of(line, place).lo, 2);
+  search_.approach(parameters_of(line, place).lo, 2);
   Place first = places.end();
   const auto come = [&](const Place& change) {
     if (places.compare(change, first) < 0) {
@@ -335,13 +324,13 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     }
   };
   std::optional<Place> germ_exit;
-  for (const WitnessSearch::Pair& pair : pairs_) {
-    for_each_slide(places, pair, [&](const Slide& slide) {
+  while (const std::optional<WitnessSearch::Pair> pair = next_pair()) {
+    for_each_slide(places, *pair, [&](const Slide& slide) {
       if (places.compare(Place::of(slide.from), place) > 0) {
         come(Place::of(slide.from));
       }
     });
-    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair.i, pair.j);
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair->i, pair->j);
     if (!sides) {
       continue;
     }

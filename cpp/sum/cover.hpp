@@ -17,7 +17,6 @@
 
 #include <algorithm>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "contacts.hpp"
@@ -243,12 +242,10 @@ class EdgeCover {
   }
   // Parts of s that are segments of F where the border is not seen, clipped to the window.
   std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
-  // Finds the pairs of edges near places from one parameter to another.
-  void see(double from, double to);
   // The contacts at a place; not all of them if it is covered.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
-  // The next pair of edges near the place that is looked at.
-  std::optional<WitnessSearch::Pair> look_at_next();
+  // The next pair of edges near what the search has approached.
+  std::optional<WitnessSearch::Pair> next_pair();
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
   // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
@@ -282,10 +279,8 @@ class EdgeCover {
   Cones cones_;
   Tally& tally_;
   WitnessSearch search_;
-  std::span<const WitnessSearch::Pair> pairs_;
-  std::vector<WitnessSearch::Pair> seen_pairs_;  // if some are not
-  std::vector<WitnessSearch::Pair> looked_at_;   // near the last place that was looked at
-  std::vector<Run> runs_;                        // of the edge that is walked
+  std::vector<WitnessSearch::Pair> met_pairs_;  // since a place was looked at
+  std::vector<Run> runs_;                       // of an edge
 };
 
 template <class Visitor>
