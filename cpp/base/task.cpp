@@ -24,12 +24,13 @@ void Task::begin(std::uint64_t estimate, std::uint64_t parts) {
 }
 
 void Task::advance(std::uint64_t steps, std::uint64_t parts) {
-  done_ += steps;
-  if (parts > 0) {
-    parts_done_ += parts;
-  }
   if (std::this_thread::get_id() == caller_) {
+    own_done_ += steps;
+    own_parts_ += parts;
     watch();
+  } else {
+    others_done_ += steps;
+    others_parts_ += parts;
   }
   check();
 }
@@ -42,32 +43,32 @@ void Task::poll() {
 }
 
 void Task::watch() {
-  if (done_ - reported_ >= steps_a_report_) {
+  if (done() - reported_ >= steps_a_report_) {
     tell(estimate());
   }
 }
 
 // Few parts say little. Until the last report the end is not reached.
 std::uint64_t Task::estimate() const {
-  const std::uint64_t done = done_;
-  const std::uint64_t parts = parts_done_;
+  const std::uint64_t steps = done();
+  const std::uint64_t parts = own_parts_ + others_parts_;
   std::uint64_t estimate = estimate_;
   if (parts_ > 0 && parts > parts_ / 32) {
-    estimate = static_cast<std::uint64_t>(static_cast<double>(done) * static_cast<double>(parts_) /
+    estimate = static_cast<std::uint64_t>(static_cast<double>(steps) * static_cast<double>(parts_) /
                                           static_cast<double>(parts));
   }
-  const bool is_left = parts_ > 0 ? done < estimate : done <= estimate;
-  return is_left ? estimate : done + done / 16 + 1;
+  const bool is_left = parts_ > 0 ? steps < estimate : steps <= estimate;
+  return is_left ? estimate : steps + steps / 16 + 1;
 }
 
 void Task::finish() {
-  tell(done_);
+  tell(done());
   check();
 }
 
 void Task::tell(std::uint64_t estimate) {
   assert(std::this_thread::get_id() == caller_);
-  reported_ = done_;
+  reported_ = done();
   // What the caller asks the library in between is no part of this task.
   const CurrentTask none(nullptr);
   if (!cancelled_ && report_ != nullptr &&

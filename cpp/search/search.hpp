@@ -50,7 +50,7 @@ class Search {
 
   // Nothing is known without a search.
   struct Successor {
-    PairEdge edge;
+    const EdgeName& edge;
     bool is_straight;
   };
   static std::optional<Successor> only_way_on() { return std::nullopt; }

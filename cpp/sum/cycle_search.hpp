@@ -49,7 +49,7 @@ class CycleSearch {
   }
 
   struct Successor {
-    PairEdge edge;
+    const EdgeName& edge;
     bool is_straight;
   };
 
@@ -59,7 +59,7 @@ class CycleSearch {
       return std::nullopt;
     }
     number_ = *next;
-    return Successor{unranked(cycle_.edge(*next)), cycle_.goes_straight_on(*next)};
+    return Successor{cycle_.edge(*next), cycle_.goes_straight_on(*next)};
   }
 
   // No more than two edges of one direction follow each other.

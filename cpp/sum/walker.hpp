@@ -65,7 +65,7 @@ class Extent {
 //   turn, way: as for Step;
 //   edges_from(i, j): the two that start in a vertex of the hull of the sum;
 //   only_way_on(): the edge that goes on from the end of that on which the walk is, where no others
-//     come near, or else none; the walk takes it;
+//     come near, or else none; the walk takes it. Only searches without ranks know one;
 //   continued(e, place): where other edges of its direction lead on to, without a gap, if that is
 //     worth knowing: the walk goes straight on there, along e;
 //   find(step): gives the step the edges that have a point in common with its stretch;
@@ -181,7 +181,7 @@ class Walker {
     if (const auto successor = search_.only_way_on()) {
       ++walk_.candidates;
       place_.become(start_of(successor->edge));
-      next_ = successor->edge;
+      static_cast<EdgeName&>(next_) = successor->edge;
       return !successor->is_straight;
     }
     step_.set_out(next_);
