@@ -15,9 +15,9 @@ Point at_angle(double angle, double radius) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-}  // namespace
-
-Ring coast(Random& random, int vertices) {
+// The middle of an arc is displaced by up to height times what part it is of the whole, to that
+// power.
+Ring displaced_circle(Random& random, int vertices, double height, double power) {
   const auto n = static_cast<std::size_t>(vertices);
   std::vector<double> radius(n + 1, 100);
   std::vector<std::pair<std::size_t, std::size_t>> arcs{{0, n}};
@@ -29,7 +29,8 @@ Ring coast(Random& random, int vertices) {
     }
     const double displacement = test::uniform(random, -1000000, 1000000) / 1000000.0;
     const double length = static_cast<double>(end - begin) / vertices;
-    radius[middle] = (radius[begin] + radius[end]) / 2 + 60 * length * displacement;
+    radius[middle] =
+        (radius[begin] + radius[end]) / 2 + height * std::pow(length, power) * displacement;
     arcs.emplace_back(begin, middle);
     arcs.emplace_back(middle, end);
   }
@@ -38,6 +39,15 @@ Ring coast(Random& random, int vertices) {
     ring.push_back(at_angle(2 * std::numbers::pi * static_cast<double>(k) / vertices, radius[k]));
   }
   return ring;
+}
+
+}  // namespace
+
+Ring coast(Random& random, int vertices) { return displaced_circle(random, vertices, 60, 1); }
+
+Ring rough_coast(Random& random, int vertices, double hurst) {
+  // So that no radius, of 100 at first, is below 10.
+  return displaced_circle(random, vertices, 90 * (1 - std::pow(2, -hurst)), hurst);
 }
 
 Ring regular(int vertices, double radius) {

@@ -14,6 +14,9 @@ using test::Ring;
 // A coast round a point, by halving arcs and displacing their middles in proportion to
 // their length: detail at all scales. The number of vertices is a multiple of 4.
 Ring coast(Random& random, int vertices);
+// The same, displaced in proportion to a power of their length, the Hurst exponent: the smaller,
+// the rougher. Between 0 and 1.
+Ring rough_coast(Random& random, int vertices, double hurst);
 
 // All vertices on a circle: at equal angles, or at random ones.
 Ring regular(int vertices, double radius);

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Prints which functions of libgcv take the instructions of a sum, and its cache misses.
+
+callgrind counts them, with caches of fixed sizes, so that they are the same on every machine of a
+kind. Three sums in a process less one, halved, are what counts.
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import subprocess
+import tempfile
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+PROGRAM = ROOT / "build" / "bench" / "bench" / "gcv_profiles"
+# Instructions and data of 32 KiB each, and 8 MiB for all.
+CACHES = ["--cache-sim=yes", "--I1=32768,8,64", "--D1=32768,8,64", "--LL=8388608,16,64"]
+
+# Where libgcv is least ahead of CGAL: of outer faces, and of whole regions.
+CASES = [
+    ("outer-face", "real", "shirts"),
+    ("outer-face", "real", "albano"),
+    ("outer-face", "real", "trousers"),
+    ("outer-face", "paper", "~chain"),
+    ("outer-face", "real", "dragon-egg"),
+    ("region", "real", "rooms"),
+    ("region", "real", "albano"),
+    ("region", "real", "shirts"),
+    ("region", "paper", "fork"),
+    ("region", "paper", "stars"),
+]
+
+Counts = dict[str, float]  # of each event
+Profile = dict[str, Counts]  # of each function, without those that it calls
+
+
+def read_profile(text: str) -> Profile:
+    """Return what a file of callgrind says."""
+    profile: Profile = defaultdict(lambda: defaultdict(float))
+    names: dict[str, str] = {}
+    events: list[str] = []
+    function = ""
+    is_of_call = False
+    for line in text.splitlines():
+        if line.startswith("events: "):
+            events = line.split()[1:]
+        elif match := re.match(r"c?fn=(\(\d+\))(?: (.*))?$", line):
+            if match[2]:
+                names[match[1]] = match[2]
+            if line.startswith("fn="):
+                function = names[match[1]]
+        elif line.startswith("calls="):
+            is_of_call = True
+        elif re.match(r"[+\-*\d]", line):
+            if not is_of_call:
+                for event, count in zip(events, line.split()[1:]):
+                    profile[function][event] += int(count)
+            is_of_call = False
+    return profile
+
+
+def short_name(function: str) -> str:
+    """Return the name without what tells where it is and what it takes."""
+    name = re.sub(r"\(anonymous namespace\)::|'\d+$", "", function)
+    while re.search(r"<[^<>]*>", name):
+        name = re.sub(r"<[^<>]*>", "", name)
+    name = re.sub(r"\{lambda\([^()]*\)#\d+\}", "lambda", name)
+    name = re.sub(r"\(.*", "", name)
+    return re.sub(r"\bgcv::", "", name.split(" ")[-1])
+
+
+def run(case: tuple[str, str, str], repetitions: int) -> tuple[Profile, list[int]]:
+    """Return the profile, and how many predicates a sum takes."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "callgrind.out"
+        command = ["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={out}"]
+        done = subprocess.run([*command, *CACHES, PROGRAM, *case, str(repetitions)], check=True,
+                              stdout=subprocess.PIPE, text=True)  # fmt: skip
+        return read_profile(out.read_text()), [int(count) for count in done.stdout.split()]
+
+
+def of_one_sum(case: tuple[str, str, str]) -> tuple[Profile, list[int]]:
+    once, _ = run(case, 1)
+    thrice, predicates = run(case, 3)
+    profile: Profile = defaultdict(lambda: defaultdict(float))
+    for function, counts in thrice.items():
+        for event, count in counts.items():
+            before = once[function][event] if function in once else 0
+            profile[short_name(function)][event] += (count - before) / 2
+    return profile, predicates
+
+
+def misses(counts: Counts, cache: str) -> float:
+    return counts[cache + "mr"] + counts[cache + "mw"]
+
+
+def print_case(case: tuple[str, str, str], most: int) -> None:
+    profile, (filtered, fixed_width, larger) = of_one_sum(case)
+    total: Counts = defaultdict(float)
+    for counts in profile.values():
+        for event, count in counts.items():
+            total[event] += count
+    kind, _, pair = case
+    sentences = [
+        f"*{pair}*, {kind.replace('-', ' ')}: {total['Ir']:,.0f} instructions",
+        f"{total['Dr'] + total['Dw']:,.0f} reads and writes, of which {misses(total, 'D1'):,.0f} "
+        f"miss L1 and {misses(total, 'DL'):,.0f} all caches",
+        f"predicates: {filtered:,} by doubles, {fixed_width:,} in fixed width, "
+        f"{larger:,} in larger numbers.",
+    ]
+    print(f"\n{'; '.join(sentences)}\n")
+    print("| function | of all instructions | L1 misses |\n| --- | ---: | ---: |")
+    by_instructions = sorted(profile.items(), key=lambda item: -item[1]["Ir"])
+    for function, counts in by_instructions[:most]:
+        share = counts["Ir"] / total["Ir"]
+        print(f"| `{function}` | {share:.1%} | {misses(counts, 'D1'):,.0f} |")
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
+    parser.add_argument("case", nargs="*", metavar="outer-face|region SET PAIR",
+                        help="instead of where libgcv is least ahead of CGAL")  # fmt: skip
+    parser.add_argument("--most", type=int, default=6, help="functions of each")
+    options = parser.parse_args()
+    if options.case and len(options.case) != 3:
+        parser.error("a case has three parts")
+    for case in [tuple(options.case)] if options.case else CASES:
+        print_case(case, options.most)
+
+
+if __name__ == "__main__":
+    main()
