@@ -415,6 +415,7 @@ def machine_description() -> dict[str, str]:
         "libgcv": output("git", "-C", str(ROOT), "describe", "--always", "--dirty"),
         "CGAL": version("libcgal-dev"),
         "SFCGAL": version("libsfcgal-dev"),
+        "Clipper2": output("pkg-config", "--modversion", "Clipper2"),
         "Clipper": version("libpolyclipping-dev"),
         "Boost.Polygon": version("libboost-dev"),
         "GMP": version("libgmp-dev"),

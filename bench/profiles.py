@@ -78,7 +78,7 @@ def run(case: tuple[str, str, str], repetitions: int) -> tuple[Profile, list[int
         out = Path(folder) / "callgrind.out"
         command = ["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={out}"]
         done = subprocess.run([*command, *CACHES, PROGRAM, *case, str(repetitions)], check=True,
-                              stdout=subprocess.PIPE, text=True)  # fmt: skip
+                              capture_output=True, text=True)  # fmt: skip
         return read_profile(out.read_text()), [int(count) for count in done.stdout.split()]
 
 
@@ -97,38 +97,46 @@ def misses(counts: Counts, cache: str) -> float:
     return counts[cache + "mr"] + counts[cache + "mw"]
 
 
-def print_case(case: tuple[str, str, str], most: int) -> None:
-    profile, (filtered, fixed_width, larger) = of_one_sum(case)
+def row(case: tuple[str, str, str], most: int) -> str:
+    profile, predicates = of_one_sum(case)
     total: Counts = defaultdict(float)
     for counts in profile.values():
         for event, count in counts.items():
             total[event] += count
-    kind, _, pair = case
-    sentences = [
-        f"*{pair}*, {kind.replace('-', ' ')}: {total['Ir']:,.0f} instructions",
-        f"{total['Dr'] + total['Dw']:,.0f} reads and writes, of which {misses(total, 'D1'):,.0f} "
-        f"miss L1 and {misses(total, 'DL'):,.0f} all caches",
-        f"predicates: {filtered:,} by doubles, {fixed_width:,} in fixed width, "
-        f"{larger:,} in larger numbers.",
-    ]
-    print(f"\n{'; '.join(sentences)}\n")
-    print("| function | of all instructions | L1 misses |\n| --- | ---: | ---: |")
     by_instructions = sorted(profile.items(), key=lambda item: -item[1]["Ir"])
-    for function, counts in by_instructions[:most]:
-        share = counts["Ir"] / total["Ir"]
-        print(f"| `{function}` | {share:.1%} | {misses(counts, 'D1'):,.0f} |")
+    functions = [
+        f"{counts['Ir'] / total['Ir']:.0%} `{function}`"
+        for function, counts in by_instructions[:most]
+    ]
+    numbers = [
+        total["Ir"],
+        total["Dr"] + total["Dw"],
+        misses(total, "D1"),
+        misses(total, "DL"),
+        *predicates,
+    ]
+    kind, _, pair = case
+    cells = [f"{pair}, {kind.replace('-', ' ')}", *(f"{x:,.0f}" for x in numbers)]
+    return f"| {' | '.join([*cells, ', '.join(functions)])} |"
+
+
+HEAD = """\
+| sum | instructions | reads and writes | that miss L1 | all caches | predicates by doubles | \
+fixed width | larger | functions |
+| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | --- |"""
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0] if __doc__ else "")
     parser.add_argument("case", nargs="*", metavar="outer-face|region SET PAIR",
                         help="instead of where libgcv is least ahead of CGAL")  # fmt: skip
-    parser.add_argument("--most", type=int, default=6, help="functions of each")
+    parser.add_argument("--most", type=int, default=4, help="functions of each")
     options = parser.parse_args()
     if options.case and len(options.case) != 3:
         parser.error("a case has three parts")
+    print(HEAD)
     for case in [tuple(options.case)] if options.case else CASES:
-        print_case(case, options.most)
+        print(row(case, options.most), flush=True)
 
 
 if __name__ == "__main__":
