@@ -344,7 +344,7 @@ def report(machine: dict[str, str], rows: list[Row], limit: float) -> str:
 # --------------------------------------------------------------------------- picture --
 
 COLOURS = ["#1b5e9e", "#7fb2de", "#c0392b", "#e59866", "#27ae60", "#8e44ad", "#7f8c8d", "#111111",
-           "#d4ac0d"]  # fmt: skip
+           "#d4ac0d", "#e91e63"]  # fmt: skip
 
 
 def growth_picture(rows: list[Row]) -> str:
