@@ -303,6 +303,19 @@ TEST(Task, IsAdvancedByOtherThreads) {
   EXPECT_EQ(status_of([&] { task.advance(0); }), Status::cancelled);
 }
 
+// Steps and parts of all threads count, the calling one's and those of others.
+TEST(Task, AddsUpAllThreads) {
+  Caller caller;
+  Task task(2, Caller::report, &caller);
+  task.begin(4 * portion, 64);
+  task.advance(portion / 2, 2);
+  std::thread([&] { task.advance(portion + portion / 2, 14); }).join();
+  task.watch();
+  EXPECT_EQ(caller.reports.back(), std::pair(2 * portion, 8 * portion));
+  task.finish();
+  EXPECT_EQ(caller.reports.back(), std::pair(2 * portion, 2 * portion));
+}
+
 // ----------------------------------------------------------------------------- parallel --
 
 TEST(ForEachInParallel, CallsEachOnce) {
