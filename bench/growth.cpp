@@ -6,10 +6,10 @@
 // 1000000 by default. Prints two tables in Markdown: how the time grows, and what the largest take.
 // By the wall clock, each size in a process of its own.
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -19,7 +19,6 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "apart.hpp"
@@ -39,15 +38,15 @@ struct Coast {
   std::function<Ring(Random&, int)> make;
 };
 
+Coast rough(const char* name, double hurst) {
+  return {name, [hurst](Random& random, int n) { return rough_coast(random, n, hurst); }};
+}
+
 std::vector<Coast> all_coasts() {
-  std::vector<Coast> coasts;
-  for (const auto& [name, hurst] :
-       {std::pair{"Hurst 0.3", 0.3}, {"Hurst 0.6", 0.6}, {"Hurst 0.9", 0.9}}) {
-    coasts.push_back(
-        {name, [hurst = hurst](Random& random, int n) { return rough_coast(random, n, hurst); }});
-  }
-  coasts.push_back({"as in bench/run", [](Random& random, int n) { return coast(random, n); }});
-  return coasts;
+  return {rough("Hurst 0.3", 0.3),
+          rough("Hurst 0.6", 0.6),
+          rough("Hurst 0.9", 0.9),
+          {"as in bench/run", coast}};
 }
 
 double milliseconds_of(const std::function<void()>& work) {
@@ -68,8 +67,8 @@ std::vector<double> medians(const std::vector<std::function<void()>>& ways) {
       spent += times[k].back();
     }
   }
-  std::vector<double> result;
-  std::transform(times.begin(), times.end(), std::back_inserter(result), median);
+  std::vector<double> result(ways.size());
+  std::transform(times.begin(), times.end(), result.begin(), median);
   return result;
 }
 
@@ -78,7 +77,7 @@ std::size_t resident_bytes() {
   std::size_t all = 0;
   std::size_t resident = 0;
   std::ifstream("/proc/self/statm") >> all >> resident;
-  return resident * 4096;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
 std::size_t peak_bytes() {
@@ -182,7 +181,11 @@ void print_tables(int largest) {
 
 int main(int argc, char** argv) {
   try {
-    gcv::bench::print_tables(argc > 1 ? std::atoi(argv[1]) : 1000000);
+    const int largest = argc > 1 ? std::atoi(argv[1]) : 1000000;
+    if (largest < 1000) {
+      throw std::invalid_argument("LARGEST is no number from 1000 on");
+    }
+    gcv::bench::print_tables(largest);
   } catch (const std::exception& exception) {
     std::fprintf(stderr, "gcv_growth: %s\n", exception.what());
     return 1;

@@ -5,8 +5,8 @@
 // So many sums of a pair, from doubles to doubles on one thread, for bench/profiles to count the
 // instructions of. The sets are those of gcv_compare. Prints how many predicates one sum has taken:
 // those that doubles decide, those in numbers of fixed width, and those in larger ones.
+#include <cstddef>
 #include <cstdio>
-#include <cstdlib>
 #include <exception>
 #include <stdexcept>
 #include <string>
@@ -30,35 +30,23 @@ Rings find_pair(const std::string& set_name, const std::string& pair_name) {
   throw std::invalid_argument("no such pair: " + set_name + ", " + pair_name);
 }
 
-gcv_stats empty_stats() {
+// Makes a sum by the functions of outer faces or of regions, and copies its vertices out.
+template <class Result>
+gcv_stats cost_of_sum(gcv_status (*sum)(const gcv_polygon*, const gcv_polygon*, const gcv_options*,
+                                        Result**),
+                      gcv_status (*copy)(const Result*, double*, std::size_t, std::size_t*),
+                      gcv_status (*stats_of)(const Result*, gcv_stats*), const gcv_polygon* a,
+                      const gcv_polygon* b) {
+  Result* out = nullptr;
+  check(sum(a, b, nullptr, &out));
+  const Owned<Result> result(out);
+  std::size_t count = 0;
+  check(copy(out, nullptr, 0, &count));
+  PointVector vertices(count);
+  check(copy(out, &vertices.data()->x, count, &count));
   gcv_stats stats{};
   stats.struct_size = sizeof stats;
-  return stats;
-}
-
-gcv_stats sum_outer_face(const gcv_polygon* a, const gcv_polygon* b) {
-  gcv_outer_face* out = nullptr;
-  check(gcv_minkowski_sum(a, b, nullptr, &out));
-  const Owned<gcv_outer_face> face(out);
-  std::size_t count = 0;
-  check(gcv_outer_face_vertex_count(out, &count));
-  PointVector ring(count);
-  check(gcv_outer_face_vertices(out, &ring.data()->x, count, &count));
-  gcv_stats stats = empty_stats();
-  check(gcv_outer_face_stats(out, &stats));
-  return stats;
-}
-
-gcv_stats sum_region(const gcv_polygon* a, const gcv_polygon* b) {
-  gcv_region* out = nullptr;
-  check(gcv_minkowski_sum_region(a, b, nullptr, &out));
-  const Owned<gcv_region> region(out);
-  std::size_t count = 0;
-  check(gcv_region_vertices(out, nullptr, 0, &count));
-  PointVector vertices(count);
-  check(gcv_region_vertices(out, &vertices.data()->x, count, &count));
-  gcv_stats stats = empty_stats();
-  check(gcv_region_stats(out, &stats));
+  check(stats_of(out, &stats));
   return stats;
 }
 
@@ -69,7 +57,10 @@ void run(const std::vector<std::string>& arguments) {
   for (int k = std::stoi(arguments.at(3)); k > 0; --k) {
     const auto a = make_polygon(ring_a);
     const auto b = make_polygon(ring_b);
-    stats = (is_region ? sum_region : sum_outer_face)(a.get(), b.get());
+    stats = is_region ? cost_of_sum(gcv_minkowski_sum_region, gcv_region_vertices, gcv_region_stats,
+                                    a.get(), b.get())
+                      : cost_of_sum(gcv_minkowski_sum, gcv_outer_face_vertices,
+                                    gcv_outer_face_stats, a.get(), b.get());
   }
   std::printf("%llu %llu %llu\n", static_cast<unsigned long long>(stats.predicates_filtered),
               static_cast<unsigned long long>(stats.predicates_fixed_width),

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import re
 import subprocess
+import sys
 import tempfile
 from collections import defaultdict
 from pathlib import Path
@@ -77,8 +78,10 @@ def run(case: tuple[str, str, str], repetitions: int) -> tuple[Profile, list[int
     with tempfile.TemporaryDirectory() as folder:
         out = Path(folder) / "callgrind.out"
         command = ["valgrind", "--quiet", "--tool=callgrind", f"--callgrind-out-file={out}"]
-        done = subprocess.run([*command, *CACHES, PROGRAM, *case, str(repetitions)], check=True,
+        done = subprocess.run([*command, *CACHES, PROGRAM, *case, str(repetitions)],
                               capture_output=True, text=True)  # fmt: skip
+        if done.returncode != 0:
+            sys.exit(done.stderr.strip())
         return read_profile(out.read_text()), [int(count) for count in done.stdout.split()]
 
 

@@ -181,7 +181,7 @@ class Walker {
     if (const auto successor = search_.only_way_on()) {
       ++walk_.candidates;
       place_.become(start_of(successor->edge));
-      static_cast<EdgeName&>(next_) = successor->edge;
+      static_cast<EdgeName&>(next_) = successor->edge;  // it has no rank
       return !successor->is_straight;
     }
     step_.set_out(next_);
