@@ -120,6 +120,12 @@ struct Made {
   Status status = Status::ok;
 };
 
+// What is said of a polygon that has a number for its name.
+const char* without_name(const char* message) {
+  constexpr std::string_view name = "polygon: ";
+  return std::string_view(message).starts_with(name) ? message + name.size() : message;
+}
+
 }  // namespace
 
 gcv_polygon* gcv::capi::new_polygon(Polygon&& polygon) {
@@ -176,7 +182,7 @@ gcv_status gcv_polygon_create_many(const double* xy, const size_t* sizes, size_t
         const Error error = gcv::current_error();
         made[k].status = error.status();
         if (!first_failure) {
-          first_failure.emplace(error.status(), "polygon %zu: %s", k, error.what());
+          first_failure.emplace(error.status(), "polygon %zu: %s", k, without_name(error.what()));
         }
       }
       reader.skip(sizes[k]);

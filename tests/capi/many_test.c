@@ -112,7 +112,8 @@ static void messages(void) {
   outputs = untouched();
   CHECK_OK(
       gcv_polygon_create_many(xy + 2 * 11, sizes + 4, 1, 0, outputs.polygons, outputs.statuses));
-  CHECK(strstr(gcv_last_error_message(), "polygon 0: ") != NULL);
+  CHECK(strncmp(gcv_last_error_message(), "polygon 0: ", 11) == 0);
+  CHECK(strstr(gcv_last_error_message(), "polygon: ") == NULL);
   CHECK(strstr(gcv_last_error_message(), "y coordinate of vertex 1 is ") != NULL);
   CHECK(outputs.polygons[0] == NULL && outputs.statuses[0] == GCV_ERR_NOT_FINITE);
   CHECK(untouched_from(&outputs, 1));

@@ -1222,7 +1222,7 @@ typedef struct gcv_contact {
   uint32_t a, b;
   /** 0. */
   uint32_t reserved;
-  /** 0. */
+  /** In answers of scenes the ids of members, or 1 for the container; 0 for all other polygons. */
   uint64_t id_a, id_b;
   /** The distance between the features, correctly rounded; in lists negative where the vertex is
    *  on the solid side of the edge. */
@@ -1243,8 +1243,8 @@ typedef struct gcv_separation {
   int32_t relation;
   /** 0. */
   uint32_t reserved;
-  /** Where the distance is taken; of several, the smallest kind, then a, then b. All 0 where they
-   *  touch or overlap. */
+  /** Where the distance is taken; of several, the smallest kind, then a, then b. An end of an edge
+   *  counts as a vertex. All 0 where they touch or overlap. */
   gcv_contact nearest;
 } gcv_separation;
 
@@ -1260,8 +1260,10 @@ typedef struct gcv_impact {
   /** A translation of doubles within 2 ulps of the exact one, at which B does not overlap A, if
    *  there is one; else the nearest one. */
   double position[2];
-  /** What is hit, with gap 0; of several, the smallest kind, then a, then b. All 0 without a hit,
-   *  and where B overlaps A at the start. */
+  /** What is hit, with gap 0; of several, the smallest kind, then a, then b. An edge is hit between
+   *  its ends. Where two vertices meet, that is their contact, with the normal 0 0: gcv_contacts at
+   *  `position` has those of the edges beside them. All 0 without a hit, and where B overlaps A at
+   *  the start. */
   gcv_contact contact;
 } gcv_impact;
 
