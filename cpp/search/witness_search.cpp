@@ -187,6 +187,7 @@ double WitnessSearch::met_reach(double t, double least) {
     if (cover.covered.to >= least && cover.covered.to > end) {
       end = std::min(cover.covered.to, 1.0);
       last_ = witness(cover.nodes);
+      last_nodes_ = cover.nodes;
       cells_.add(*last_);
     }
   }
@@ -300,6 +301,14 @@ void WitnessSearch::approach(double from, double to) {
                     near_pairs_.end());
   approached_ = {from, to};
   next_near_ = 0;
+}
+
+void WitnessSearch::prefer_last_witness() {
+  for (std::size_t k = next_; k < queue_.size(); ++k) {
+    if (queue_[k].nodes.a == last_nodes_.a && queue_[k].nodes.b == last_nodes_.b) {
+      std::swap(queue_[k], queue_.back());
+    }
+  }
 }
 
 std::optional<WitnessSearch::Pair> WitnessSearch::next_found_pair() {

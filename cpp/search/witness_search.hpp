@@ -43,6 +43,9 @@ class WitnessSearch {
   // with a parameter from `from` to `to`. These never go back. Of pairs with equal sums, their
   // solid sides and the edges before them the same, too, some are left out, but not the first.
   void approach(double from, double to);
+  // Of these pairs, first searches for those in the last witness: the parallelogram that the line
+  // leaves where that ends is one of them, as a rule.
+  void prefer_last_witness();
   // The next of these pairs, which is searched for when it is asked for.
   std::optional<Pair> next_pair();
   // The next one that was found without that, if there is one.
@@ -172,6 +175,7 @@ class WitnessSearch {
   ConvexSums sums_;
   bool uses_sums_ = false;
   std::optional<Witness> last_;  // that was found
+  Nodes last_nodes_{};           // of that
 };
 
 template <class Visit, class Pass>

@@ -86,6 +86,7 @@ std::optional<Place> EdgeCover::skip(const PlacesOnLine& places, const RelativeL
   }
   std::optional<Place> furthest;
   search_.approach(t, t);
+  search_.prefer_last_witness();
   while (const std::optional<WitnessSearch::Pair> pair =
              furthest ? search_.next_found_pair() : search_.next_pair()) {
     const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair->i, pair->j);
