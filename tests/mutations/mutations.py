@@ -345,7 +345,8 @@ def main() -> None:
     shutil.rmtree(FOLDER / "diffs", ignore_errors=True)
     (FOLDER / "diffs").mkdir()
     for k, mutant in enumerate(mutants, 1):
-        text = (PROJECT / mutant.file).read_text()
+        copy = TREE / mutant.file
+        text = copy.read_text()
         before = results.get(key_of(mutant))
         is_known = (mutant.file, *mutant.changed_lines(text)) in equivalents
         is_old = before is not None and (
@@ -355,7 +356,6 @@ def main() -> None:
             begin = time.monotonic()
             what = KNOWN
             if not is_known:
-                copy = TREE / mutant.file
                 copy.write_text(mutant.applied(text))
                 try:
                     found = finders(what for what, _ in results.values())
