@@ -39,12 +39,17 @@ static void arrays_and_texts(void) {
   gcv_superset *superset = NULL;
   gcv_edge_source *sources = NULL, expected_sources[MOST_VERTICES];
   gcv_superset_edge *edges = NULL, expected_edges[MOST_VERTICES];
+  uint64_t *indices = NULL;
   double *xy = NULL;
   char *text = NULL, expected[MOST_TEXT];
   size_t count = 0, required = 0;
   CHECK_OK(gcv_superset_create(a, b, &superset));
 
   CHECK_ALLOCATED(gcvx_polygon_vertices(a, &xy, &count));
+  CHECK(polygon_is(a, xy, count));
+  free(xy);
+
+  CHECK_ALLOCATED(gcvx_polygon_ring(a, 0, &xy, &count));
   CHECK(polygon_is(a, xy, count));
   free(xy);
 
@@ -56,6 +61,10 @@ static void arrays_and_texts(void) {
   CHECK_OK(gcv_outer_face_edge_sources(face, expected_sources, MOST_VERTICES, &required));
   CHECK(count == required && memcmp(sources, expected_sources, count * sizeof *sources) == 0);
   free(sources);
+
+  CHECK_ALLOCATED(gcvx_outer_face_exact_indices(face, &indices, &count));
+  CHECK(count == required && indices[4] == 4);
+  free(indices);
 
   CHECK_ALLOCATED(gcvx_superset_edges(superset, &edges, &count));
   CHECK_OK(gcv_superset_edges(superset, expected_edges, MOST_VERTICES, &required));
@@ -105,6 +114,9 @@ static void regions(void) {
   CHECK_ALLOCATED(gcvx_region_exact_indices(region, &indices, &count));
   CHECK(count == 2 && indices[0] == 0 && indices[1] == 1);
   free(indices);
+  CHECK_ALLOCATED(gcvx_region_edge_owners(region, &indices, &count));
+  CHECK(count == 2 && indices[0] == 0 && indices[1] == 0);
+  free(indices);
   CHECK_ALLOCATED(gcvx_region_exact_vertex(region, 1, &text));
   CHECK(strcmp(text, "2/1 0/1") == 0);
   free(text);
@@ -126,13 +138,78 @@ static void regions(void) {
   gcv_polygon_destroy(large);
 }
 
+static void scenes(void) {
+  const double positions[] = {0, 0, 1, 0, 5, 0};
+  gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
+  const gcv_polygon *const squares[] = {square, square, square};
+  gcv_scene *scene = NULL;
+  gcv_pair_list *near = NULL, *nothing_near = NULL;
+  gcv_contact_list *before = NULL, *list = NULL, *nothing = NULL;
+  gcv_pair *pairs = NULL;
+  gcv_contact *contacts = NULL, expected[MOST_VERTICES];
+  uint64_t ids[3], *numbers = NULL;
+  size_t count = 0, required = 0;
+  CHECK_OK(gcv_scene_create(&scene));
+  CHECK_ALLOCATED(gcvx_scene_ids(scene, &numbers, &count));
+  CHECK(count == 0 && numbers != NULL);
+  free(numbers);
+  CHECK_OK(gcv_scene_pairs(scene, NULL, 0, NULL, NULL, &nothing_near));
+  CHECK_OK(gcv_scene_contacts(scene, NULL, 0, 0, NULL, NULL, &nothing));
+  CHECK_OK(gcv_scene_add(scene, squares, positions, 3, ids));
+  CHECK_OK(gcv_scene_pairs(scene, NULL, 0, NULL, NULL, &near));
+  CHECK_OK(gcv_scene_contacts(scene, NULL, 0, 0, NULL, NULL, &before));
+  CHECK_OK(gcv_scene_contacts(scene, before, 0, 0, NULL, NULL, &list));
+
+  CHECK_ALLOCATED(gcvx_scene_ids(scene, &numbers, &count));
+  CHECK(count == 3 && memcmp(numbers, ids, sizeof ids) == 0);
+  free(numbers);
+  CHECK_ALLOCATED(gcvx_pair_list_pairs(near, &pairs, &count));
+  CHECK(count == 1 && pairs[0].a == ids[0] && pairs[0].b == ids[1]);
+  free(pairs);
+  CHECK_ALLOCATED(gcvx_contact_list_contacts(list, &contacts, &count));
+  CHECK_OK(gcv_contact_list_contacts(list, expected, MOST_VERTICES, &required));
+  CHECK(count > 0 && count == required &&
+        memcmp(contacts, expected, count * sizeof *expected) == 0);
+  free(contacts);
+  CHECK_ALLOCATED(gcvx_contact_list_previous(list, &numbers, &count));
+  CHECK(count == required && numbers[0] == 0 && numbers[count - 1] == count - 1);
+  free(numbers);
+
+  CHECK_ALLOCATED(gcvx_pair_list_pairs(nothing_near, &pairs, &count));
+  CHECK(count == 0 && pairs != NULL);
+  free(pairs);
+  CHECK_ALLOCATED(gcvx_contact_list_contacts(nothing, &contacts, &count));
+  CHECK(count == 0 && contacts != NULL);
+  free(contacts);
+  CHECK_ALLOCATED(gcvx_contact_list_previous(nothing, &numbers, &count));
+  CHECK(count == 0 && numbers != NULL);
+  free(numbers);
+
+  gcv_contact_list_destroy(nothing);
+  gcv_contact_list_destroy(list);
+  gcv_contact_list_destroy(before);
+  gcv_pair_list_destroy(near);
+  gcv_pair_list_destroy(nothing_near);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(square);
+}
+
 static void refused(void) {
   gcv_polygon *square = POLYGON(0, 0, 1, 0, 1, 1, 0, 1);
   gcv_outer_face *face = sum_of(square, square);
+  uint64_t *ids = NULL;
+  gcv_pair *pairs = NULL;
+  gcv_contact *contacts = NULL;
   double *xy = NULL;
   char *text = NULL;
   size_t count = 7;
   CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_polygon_vertices(NULL, &xy, &count));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "", gcvx_polygon_ring(square, 1, &xy, &count));
+  CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_scene_ids(NULL, &ids, &count));
+  CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_pair_list_pairs(NULL, &pairs, &count));
+  CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_contact_list_contacts(NULL, &contacts, &count));
+  CHECK_REFUSED(GCV_ERR_NULL_ARGUMENT, "", gcvx_contact_list_previous(NULL, &ids, &count));
+  CHECK(ids == NULL && pairs == NULL && contacts == NULL);
   CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "", gcvx_outer_face_exact_vertex(face, 4, &text));
   CHECK(xy == NULL && count == 7 && text == NULL);
   gcv_outer_face_destroy(face);
@@ -199,6 +276,7 @@ static void messages(void) {
 int main(void) {
   arrays_and_texts();
   regions();
+  scenes();
   refused();
   files();
   messages();

@@ -8,9 +8,9 @@
  * that uses it, and calls the functions of gcv.h, which say what each of them computes.
  *
  * Objects own what the library made: they are moved, not copied, and end it in their destructors.
- * An object that was moved from is empty: to use it throws, with GCV_ERR_NULL_ARGUMENT. Polygons,
- * outer faces, regions and lists never change, and threads may share them. A scene is changed by
- * its functions without const, by one thread at a time.
+ * An object that was moved from is empty, and so is a gcv::Polygon() of nothing: to use it throws,
+ * with GCV_ERR_NULL_ARGUMENT. Polygons, outer faces, regions and lists never change, and threads
+ * may share them. A scene is changed by its functions without const, by one thread at a time.
  *
  * A call that fails throws gcv::Error with the status and the message of the library. Where there
  * is no memory, std::bad_alloc can be thrown too. What a progress function throws comes out of
@@ -22,6 +22,9 @@
 #ifndef GCV_GCV_HPP
 #define GCV_GCV_HPP
 
+#if __cplusplus < 201703L && (!defined(_MSVC_LANG) || _MSVC_LANG < 201703L)
+#error "gcv.hpp needs C++17"
+#else
 #include <gcv/hpp/offset.hpp>
 #include <gcv/hpp/outer_face.hpp>
 #include <gcv/hpp/polygon.hpp>
@@ -29,5 +32,6 @@
 #include <gcv/hpp/scene.hpp>
 #include <gcv/hpp/sums.hpp>
 #include <gcv/hpp/two_polygons.hpp>
+#endif
 
 #endif

@@ -90,6 +90,13 @@ GCV_NODISCARD static inline gcv_status gcvx_polygon_vertices(const gcv_polygon *
                  gcv_polygon_vertices(polygon, buffer, capacity, &required), xy, count);
 }
 
+/** gcv_polygon_ring into memory of its own; as gcvx_polygon_vertices. */
+GCV_NODISCARD static inline gcv_status gcvx_polygon_ring(const gcv_polygon *polygon, size_t ring,
+                                                         double **xy, size_t *count) {
+  GCVX_ALLOCATED(double, 2 * sizeof(double),
+                 gcv_polygon_ring(polygon, ring, buffer, capacity, &required), xy, count);
+}
+
 /** gcv_outer_face_vertices into memory of its own; as gcvx_polygon_vertices. */
 GCV_NODISCARD static inline gcv_status gcvx_outer_face_vertices(const gcv_outer_face *face,
                                                                 double **xy, size_t *count) {
@@ -108,6 +115,14 @@ GCV_NODISCARD static inline gcv_status gcvx_outer_face_edge_sources(const gcv_ou
                                                                     size_t *count) {
   GCVX_ALLOCATED(gcv_edge_source, sizeof(gcv_edge_source),
                  gcv_outer_face_edge_sources(face, buffer, capacity, &required), sources, count);
+}
+
+/** gcv_outer_face_exact_indices into memory of its own; as gcvx_outer_face_vertices. */
+GCV_NODISCARD static inline gcv_status gcvx_outer_face_exact_indices(const gcv_outer_face *face,
+                                                                     uint64_t **indices,
+                                                                     size_t *count) {
+  GCVX_ALLOCATED(uint64_t, sizeof(uint64_t),
+                 gcv_outer_face_exact_indices(face, buffer, capacity, &required), indices, count);
 }
 
 /**
@@ -177,6 +192,13 @@ GCV_NODISCARD static inline gcv_status gcvx_region_edge_sources(const gcv_region
                  gcv_region_edge_sources(region, buffer, capacity, &required), sources, count);
 }
 
+/** gcv_region_edge_owners into memory of its own; as gcvx_region_edge_sources. */
+GCV_NODISCARD static inline gcv_status gcvx_region_edge_owners(const gcv_region *region,
+                                                               uint64_t **ids, size_t *count) {
+  GCVX_ALLOCATED(uint64_t, sizeof(uint64_t),
+                 gcv_region_edge_owners(region, buffer, capacity, &required), ids, count);
+}
+
 /** gcv_region_exact_indices into memory of its own; as gcvx_region_vertices. */
 GCV_NODISCARD static inline gcv_status gcvx_region_exact_indices(const gcv_region *region,
                                                                  uint64_t **indices,
@@ -203,6 +225,41 @@ GCV_NODISCARD static inline gcv_status gcvx_region_wkt(const gcv_region *region,
 GCV_NODISCARD static inline gcv_status gcvx_region_fits_wkt(const gcv_region *region, char **text) {
   size_t size = 0;
   GCVX_ALLOCATED(char, 1, gcv_region_fits_wkt(region, buffer, capacity, &required), text, &size);
+}
+
+/**
+ * gcv_contact_list_contacts into memory of its own.
+ *
+ * @param count  the number of contacts; 0 for an empty list, with memory to free all the same.
+ * @return as gcv_contact_list_contacts, and GCVX_ERR_SYSTEM without memory.
+ */
+GCV_NODISCARD static inline gcv_status gcvx_contact_list_contacts(const gcv_contact_list *list,
+                                                                  gcv_contact **contacts,
+                                                                  size_t *count) {
+  GCVX_ALLOCATED(gcv_contact, sizeof(gcv_contact),
+                 gcv_contact_list_contacts(list, buffer, capacity, &required), contacts, count);
+}
+
+/** gcv_contact_list_previous into memory of its own; as gcvx_contact_list_contacts. */
+GCV_NODISCARD static inline gcv_status gcvx_contact_list_previous(const gcv_contact_list *list,
+                                                                  uint64_t **indices,
+                                                                  size_t *count) {
+  GCVX_ALLOCATED(uint64_t, sizeof(uint64_t),
+                 gcv_contact_list_previous(list, buffer, capacity, &required), indices, count);
+}
+
+/** gcv_pair_list_pairs into memory of its own; as gcvx_contact_list_contacts. */
+GCV_NODISCARD static inline gcv_status gcvx_pair_list_pairs(const gcv_pair_list *list,
+                                                            gcv_pair **pairs, size_t *count) {
+  GCVX_ALLOCATED(gcv_pair, sizeof(gcv_pair), gcv_pair_list_pairs(list, buffer, capacity, &required),
+                 pairs, count);
+}
+
+/** gcv_scene_ids into memory of its own; as gcvx_contact_list_contacts. */
+GCV_NODISCARD static inline gcv_status gcvx_scene_ids(const gcv_scene *scene, uint64_t **ids,
+                                                      size_t *count) {
+  GCVX_ALLOCATED(uint64_t, sizeof(uint64_t), gcv_scene_ids(scene, buffer, capacity, &required), ids,
+                 count);
 }
 
 #undef GCVX_ALLOCATED

@@ -37,31 +37,6 @@ struct Point {
 };
 static_assert(sizeof(Point) == 2 * sizeof(double), "points are two doubles, as in gcv.h");
 
-/** Elements of the caller's, which must stay while the view is used. */
-template <class T>
-class View {
- public:
-  constexpr View() = default;
-  /** A template, so that {0, 0} is a point and not a null pointer with its size. */
-  template <class Pointer, class = std::enable_if_t<std::is_pointer_v<Pointer>>>
-  constexpr View(Pointer data, std::size_t size) : data_(data), size_(size) {}
-  View(std::initializer_list<T> list) : View(list.begin(), list.size()) {}
-
-  /** Of a std::vector, a std::array, a std::span, and the like. */
-  template <class Range, class = std::enable_if_t<std::is_convertible_v<
-                             decltype(std::declval<const Range&>().data()), const T*>>>
-  constexpr View(const Range& range) : View(range.data(), range.size()) {}
-
-  [[nodiscard]] constexpr const T* data() const { return data_; }
-  [[nodiscard]] constexpr std::size_t size() const { return size_; }
-  [[nodiscard]] constexpr const T* begin() const { return data_; }
-  [[nodiscard]] constexpr const T* end() const { return data_ + size_; }
-
- private:
-  const T* data_ = nullptr;
-  std::size_t size_ = 0;
-};
-
 /** A call that failed. */
 class Error : public std::runtime_error {
  public:
@@ -77,11 +52,99 @@ class Error : public std::runtime_error {
   gcv_status status_;
 };
 
+namespace detail {
+
+/** Throws for a null pointer, where the library would take it for nothing given. */
+template <class T>
+T* required(T* pointer, const char* name) {
+  if (pointer == nullptr) {
+    throw Error(GCV_ERR_NULL_ARGUMENT, std::string(name) + " is NULL");
+  }
+  return pointer;
+}
+
+/** The number of things; throws where there are not as many of others. */
+inline std::size_t as_many(const char* name, std::size_t count, const char* others,
+                           std::size_t other_count) {
+  if (count != other_count) {
+    throw Error(GCV_ERR_INVALID_ARGUMENT, std::string(name) + ": there are " +
+                                              std::to_string(count) + ", for " +
+                                              std::to_string(other_count) + " " + others);
+  }
+  return count;
+}
+
+/** Pointers to elements that can be read as those of an array of T. Objects of a class derived from
+ *  T cannot: the next one is further away. */
+template <class Pointer, class T>
+using IfElements =
+    std::enable_if_t<std::is_pointer_v<Pointer> &&
+                     std::is_convertible_v<std::remove_pointer_t<Pointer> (*)[], const T (*)[]>>;
+
+}  // namespace detail
+
+/** Elements of the caller's, which must stay while the view is used. */
+template <class T>
+class View {
+ public:
+  constexpr View() = default;
+  /** A template, so that {0, 0} is a point and not a null pointer with its size. */
+  template <class Pointer, class = detail::IfElements<Pointer, T>>
+  constexpr View(Pointer data, std::size_t size)
+      : data_(size == 0 ? data : detail::required(data, "the pointer of a view")), size_(size) {}
+  View(std::initializer_list<T> list) : View(list.begin(), list.size()) {}
+
+  /** Of a std::vector, a std::array, a std::span, and the like. */
+  template <class Range,
+            class = detail::IfElements<decltype(std::declval<const Range&>().data()), T>>
+  constexpr View(const Range& range) : View(range.data(), range.size()) {}
+
+  [[nodiscard]] constexpr const T* data() const { return data_; }
+  [[nodiscard]] constexpr std::size_t size() const { return size_; }
+  [[nodiscard]] constexpr const T* begin() const { return data_; }
+  [[nodiscard]] constexpr const T* end() const { return data_ + size_; }
+
+ private:
+  const T* data_ = nullptr;
+  std::size_t size_ = 0;
+};
+
 /** How exact coordinates become doubles. */
 enum class Rounding : std::int32_t {
   nearest = GCV_ROUND_NEAREST,
   outward = GCV_ROUND_OUTWARD,
 };
+
+namespace detail {
+
+/** Those of the enums here, whose values are numbers of gcv.h. */
+template <class Enum>
+inline constexpr bool is_of_gcv = false;
+template <>
+inline constexpr bool is_of_gcv<Rounding> = true;
+
+template <class Enum>
+using IfOfGcv = std::enable_if_t<is_of_gcv<Enum>>;
+
+}  // namespace detail
+
+/** All enums compare with the numbers in the structs of gcv.h, too. */
+template <class Enum, class = detail::IfOfGcv<Enum>>
+constexpr bool operator==(Enum a, std::int32_t b) {
+  return static_cast<std::int32_t>(a) == b;
+}
+template <class Enum, class = detail::IfOfGcv<Enum>>
+constexpr bool operator==(std::int32_t a, Enum b) {
+  return a == static_cast<std::int32_t>(b);
+}
+template <class Enum, class = detail::IfOfGcv<Enum>>
+constexpr bool operator!=(Enum a, std::int32_t b) {
+  return static_cast<std::int32_t>(a) != b;
+}
+template <class Enum, class = detail::IfOfGcv<Enum>>
+constexpr bool operator!=(std::int32_t a, Enum b) {
+  return a != static_cast<std::int32_t>(b);
+}
 
 /** Options of a computation, as gcv_options has them. */
 struct Options {
@@ -214,6 +277,8 @@ class PassedOptions {
 
 /** The version of the library that is running, such as "0.2.0". */
 inline std::string version() { return gcv_version_string(); }
+/** The same as a number: major * 10000 + minor * 100 + patch. */
+inline std::uint32_t version_number() { return gcv_version_number(); }
 
 }  // namespace hpp
 }  // namespace gcv

@@ -7,10 +7,28 @@
 #define GCV_HPP_OFFSET_HPP
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <gcv/hpp/sums.hpp>
 
 namespace gcv {
 inline namespace hpp {
+
+namespace detail {
+
+/** A number in few digits that read back as the same one. */
+inline std::string digits(double number) {
+  char text[32];
+  for (int count = 15; count <= 17; ++count) {
+    std::snprintf(text, sizeof text, "%.*g", count, number);
+    if (std::strtod(text, nullptr) == number) {
+      break;
+    }
+  }
+  return text;
+}
+
+}  // namespace detail
 
 /**
  * The polygon with a clearance: grown by the distance, or shrunk where it is below 0.
@@ -32,11 +50,11 @@ inline Region offset(const Polygon& polygon, double distance, double tolerance,
                      const Options& options = {}) {
   if (!std::isfinite(distance) || distance == 0) {
     throw Error(GCV_ERR_INVALID_ARGUMENT,
-                "distance: " + std::to_string(distance) + " is not a finite number other than 0");
+                "distance: " + detail::digits(distance) + " is not a finite number other than 0");
   }
   if (!std::isfinite(tolerance) || tolerance <= 0) {
     throw Error(GCV_ERR_INVALID_ARGUMENT,
-                "tolerance: " + std::to_string(tolerance) + " is not a finite number above 0");
+                "tolerance: " + detail::digits(tolerance) + " is not a finite number above 0");
   }
   const Polygon disc = Polygon::disc({}, std::abs(distance), 0.875 * tolerance, Rounding::outward);
   Options safe;

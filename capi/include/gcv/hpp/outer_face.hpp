@@ -11,11 +11,22 @@
 namespace gcv {
 inline namespace hpp {
 
+/** What an edge comes from: gcv_edge_source.kind. */
+enum class EdgeKind : std::int32_t {
+  translated = GCV_EDGE_TRANSLATED,
+  corner = GCV_EDGE_CORNER,
+  translated_corner = GCV_EDGE_TRANSLATED_CORNER,
+};
+template <>
+inline constexpr bool detail::is_of_gcv<EdgeKind> = true;
+
 /** The outer face of a sum: one simple ring. It never changes. */
 class OuterFace {
  public:
+  /** Empty. */
+  OuterFace() = default;
   /** Takes over what the library made; empty for nullptr. */
-  explicit OuterFace(gcv_outer_face* face = nullptr) : handle_(face) {}
+  explicit OuterFace(gcv_outer_face* face) : handle_(face) {}
 
   /** The ring in doubles, counter-clockwise, not closed. */
   [[nodiscard]] std::vector<Point> vertices() const {
@@ -28,6 +39,12 @@ class OuterFace {
     std::size_t count = 0;
     detail::check(gcv_outer_face_vertices(get(), detail::doubles(out), capacity, &count));
     return count;
+  }
+  /** Objects of a derived class are too large for it. */
+  template <class Derived>
+  std::size_t vertices(Derived* out, std::size_t capacity) const = delete;
+  [[nodiscard]] std::size_t vertex_count() const {
+    return detail::value(gcv_outer_face_vertex_count, get());
   }
 
   [[nodiscard]] std::size_t exact_vertex_count() const {

@@ -19,8 +19,10 @@ using Box = std::array<double, 4>;
 /** A polygon, perhaps with holes. It never changes. */
 class Polygon {
  public:
+  /** Empty. */
+  Polygon() = default;
   /** Takes over what the library made; empty for nullptr. */
-  explicit Polygon(gcv_polygon* polygon = nullptr) : handle_(polygon) {}
+  explicit Polygon(gcv_polygon* polygon) : handle_(polygon) {}
 
   /** From the vertices of its boundary, in either orientation. */
   explicit Polygon(View<Point> ring)
@@ -43,13 +45,16 @@ class Polygon {
   }
   /** From the vertices of all rings, one ring after the other, and the sizes of these. */
   static Polygon of_rings(View<Point> vertices, View<std::size_t> sizes) {
+    static const std::size_t none = 0;
     return detail::made<Polygon>(gcv_polygon_create_rings, detail::doubles(vertices.data()),
-                                 sizes.data(), sizes.size(), sizeof(Point));
+                                 sizes.size() != 0 ? sizes.data() : &none, sizes.size(),
+                                 sizeof(Point));
   }
 
   /** From Well-Known Text: "POLYGON ((x y, x y, ...), (hole), ...)". */
   static Polygon of_wkt(std::string_view text) {
-    return detail::made<Polygon>(gcv_polygon_create_wkt, text.data(), text.size());
+    return detail::made<Polygon>(gcv_polygon_create_wkt, text.empty() ? "" : text.data(),
+                                 text.size());
   }
 
   /** A convex polygon in place of a disc: with Rounding::outward it contains the disc. */
@@ -79,6 +84,13 @@ class Polygon {
     std::size_t count = 0;
     detail::check(gcv_polygon_vertices(get(), detail::doubles(out), capacity, &count));
     return count;
+  }
+  /** Objects of a derived class are too large for it. */
+  template <class Derived>
+  std::size_t vertices(Derived* out, std::size_t capacity) const = delete;
+  /** Of the normalised outer ring. */
+  [[nodiscard]] std::size_t vertex_count() const {
+    return detail::value(gcv_polygon_vertex_count, get());
   }
 
   /** Without the holes. */

@@ -17,12 +17,26 @@ enum class Location : std::int8_t {
   boundary = GCV_BOUNDARY,
   outside = GCV_OUTSIDE,
 };
+template <>
+inline constexpr bool detail::is_of_gcv<Location> = true;
+
+/** What a part of a region is: gcv_region_part.kind. */
+enum class PartKind : std::int32_t {
+  outer = GCV_PART_OUTER,
+  hole = GCV_PART_HOLE,
+  segment = GCV_PART_SEGMENT,
+  point = GCV_PART_POINT,
+};
+template <>
+inline constexpr bool detail::is_of_gcv<PartKind> = true;
 
 /** Polygons with holes, segments and points. It never changes. */
 class Region {
  public:
+  /** Empty. */
+  Region() = default;
   /** Takes over what the library made; empty for nullptr. */
-  explicit Region(gcv_region* region = nullptr) : handle_(region) {}
+  explicit Region(gcv_region* region) : handle_(region) {}
 
   /** The parts in the order of their vertices: rings, then segments, then points. */
   [[nodiscard]] std::vector<gcv_region_part> parts() const {
@@ -43,6 +57,9 @@ class Region {
     detail::check(gcv_region_vertices(get(), detail::doubles(out), capacity, &count));
     return count;
   }
+  /** Objects of a derived class are too large for it. */
+  template <class Derived>
+  std::size_t vertices(Derived* out, std::size_t capacity) const = delete;
 
   [[nodiscard]] std::vector<gcv_region_part> exact_parts() const {
     return detail::elements<gcv_region_part>(

@@ -25,8 +25,10 @@ struct Query {
 /** A list of pairs of members. It never changes. */
 class PairList {
  public:
+  /** Empty. */
+  PairList() = default;
   /** Takes over what the library made; empty for nullptr. */
-  explicit PairList(gcv_pair_list* list = nullptr) : handle_(list) {}
+  explicit PairList(gcv_pair_list* list) : handle_(list) {}
 
   [[nodiscard]] std::vector<gcv_pair> pairs() const {
     return detail::elements<gcv_pair>(
@@ -53,7 +55,7 @@ inline gcv_query passed(const Query& query) {
 
 }  // namespace detail
 
-/** Polygons at positions, which can change. */
+/** Polygons at positions, which can change. A change that throws leaves the scene as it was. */
 class Scene {
  public:
   /** Without members and container. */
@@ -65,7 +67,8 @@ class Scene {
   [[nodiscard]] Scene copy() const { return detail::made<Scene>(gcv_scene_copy, get()); }
 
   void set_container(const Polygon& container) {
-    detail::check(gcv_scene_set_container(handle_.get(), container.get()));
+    detail::check(
+        gcv_scene_set_container(handle_.get(), detail::required(container.get(), "container")));
   }
   void remove_container() { detail::check(gcv_scene_set_container(handle_.get(), nullptr)); }
 
@@ -76,7 +79,8 @@ class Scene {
   template <class Polygons>
   std::vector<Id> add(const Polygons& polygons, View<Point> positions) {
     const auto pointers = detail::pointers(polygons);
-    std::vector<Id> ids(detail::same(pointers.size(), positions.size()));
+    std::vector<Id> ids(
+        detail::as_many("positions", positions.size(), "polygons", pointers.size()));
     detail::check(gcv_scene_add(handle_.get(), pointers.data(), detail::doubles(positions.data()),
                                 ids.size(), ids.data()));
     return ids;
@@ -84,17 +88,35 @@ class Scene {
 
   void move(Id id, Point position) { move(View<Id>(&id, 1), View<Point>(&position, 1)); }
   void move(View<Id> ids, View<Point> positions) {
-    const std::size_t count = detail::same(ids.size(), positions.size());
+    const std::size_t count = detail::as_many("positions", positions.size(), "ids", ids.size());
     detail::check(gcv_scene_set(handle_.get(), ids.data(), nullptr,
                                 detail::doubles(positions.data()), count));
   }
   void set_polygon(Id id, const Polygon& polygon) {
-    const gcv_polygon* pointer = polygon.get();
-    detail::check(gcv_scene_set(handle_.get(), &id, &pointer, nullptr, 1));
+    set_polygons(View<Id>(&id, 1), View<const Polygon*>({&polygon}));
+  }
+  /** Gives members other polygons, a range as in add(); each keeps its position. */
+  template <class Polygons>
+  void set_polygons(View<Id> ids, const Polygons& polygons) {
+    const auto pointers = detail::pointers(polygons);
+    const std::size_t count = detail::as_many("polygons", pointers.size(), "ids", ids.size());
+    detail::check(gcv_scene_set(handle_.get(), ids.data(), pointers.data(), nullptr, count));
+  }
+  void set(Id id, const Polygon& polygon, Point position) {
+    set(View<Id>(&id, 1), View<const Polygon*>({&polygon}), View<Point>(&position, 1));
+  }
+  /** Gives members other polygons, a range as in add(), and moves them. */
+  template <class Polygons>
+  void set(View<Id> ids, const Polygons& polygons, View<Point> positions) {
+    const auto pointers = detail::pointers(polygons);
+    detail::as_many("polygons", pointers.size(), "ids", ids.size());
+    const std::size_t count = detail::as_many("positions", positions.size(), "ids", ids.size());
+    detail::check(gcv_scene_set(handle_.get(), ids.data(), pointers.data(),
+                                detail::doubles(positions.data()), count));
   }
   /** Puts members into layers: of each one a bit for every layer. */
   void set_layers(View<Id> ids, View<std::uint32_t> layers) {
-    const std::size_t count = detail::same(ids.size(), layers.size());
+    const std::size_t count = detail::as_many("layers", layers.size(), "ids", ids.size());
     detail::check(gcv_scene_set_layers(handle_.get(), ids.data(), layers.data(), count));
   }
   void remove(Id id) { remove(View<Id>(&id, 1)); }
@@ -113,6 +135,7 @@ class Scene {
     detail::check(gcv_scene_positions(get(), ids.data(), ids.size(), detail::doubles(out.data())));
     return out;
   }
+  [[nodiscard]] Point position(Id id) const { return positions(View<Id>(&id, 1))[0]; }
   [[nodiscard]] Polygon polygon(Id id) const {
     return detail::made<Polygon>(gcv_scene_polygon, get(), id);
   }
@@ -190,7 +213,7 @@ class Scene {
   [[nodiscard]] std::vector<gcv_impact> cast(const Polygon& moving, View<Point> positions,
                                              View<Point> motions, const Query& query = {},
                                              const Options& options = {}) const {
-    detail::check_motions(positions, motions);
+    detail::as_many("motions", motions.size(), "positions", positions.size());
     const gcv_query asked = detail::passed(query);
     return detail::answers<gcv_impact>(
         positions.size(), options, [&](const gcv_options* known, gcv_impact* out) {
@@ -215,8 +238,9 @@ class Scene {
         });
   }
 
-  /** All pairs no further apart than a distance; of an earlier list, what stays is taken over. */
-  [[nodiscard]] PairList pairs(double within, const PairList& previous = PairList(),
+  /** All pairs no further apart than a distance. Of an earlier list, what stays is taken over; of
+   * an empty one nothing is. */
+  [[nodiscard]] PairList pairs(double within, const PairList& previous = {},
                                const Query& query = {}, const Options& options = {}) const {
     const gcv_query asked = detail::passed(query);
     return detail::PassedOptions(options).made<PairList>(
@@ -225,10 +249,11 @@ class Scene {
         });
   }
 
-  /** The contacts of all pairs; of an earlier list, what stays is taken over. */
+  /** The contacts of all pairs. Of an earlier list, what stays is taken over; of an empty one
+   *  nothing is. */
   [[nodiscard]] ContactList contacts(double within, double slope = 0,
-                                     const ContactList& previous = ContactList(),
-                                     const Query& query = {}, const Options& options = {}) const {
+                                     const ContactList& previous = {}, const Query& query = {},
+                                     const Options& options = {}) const {
     const gcv_query asked = detail::passed(query);
     return detail::PassedOptions(options).made<ContactList>(
         [&](const gcv_options* known, gcv_contact_list** out) {

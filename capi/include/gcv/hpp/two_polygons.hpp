@@ -17,6 +17,17 @@ enum class Relation : std::int8_t {
   touching = GCV_TOUCHING,
   overlapping = GCV_OVERLAPPING,
 };
+template <>
+inline constexpr bool detail::is_of_gcv<Relation> = true;
+
+/** What touches, or would: gcv_contact.kind. */
+enum class ContactKind : std::int32_t {
+  edge_vertex = GCV_CONTACT_EDGE_VERTEX,
+  vertex_edge = GCV_CONTACT_VERTEX_EDGE,
+  vertex_vertex = GCV_CONTACT_VERTEX_VERTEX,
+};
+template <>
+inline constexpr bool detail::is_of_gcv<ContactKind> = true;
 
 namespace detail {
 
@@ -37,15 +48,6 @@ std::vector<Relation> relations(std::size_t count, const Options& options, const
     out.push_back(static_cast<Relation>(relation));
   }
   return out;
-}
-
-/** The starts and the motions are equally many. */
-inline void check_motions(View<Point> starts, View<Point> motions) {
-  if (starts.size() != motions.size()) {
-    throw Error(GCV_ERR_INVALID_ARGUMENT, "motions: there are " + std::to_string(motions.size()) +
-                                              ", for " + std::to_string(starts.size()) +
-                                              " translations");
-  }
 }
 
 }  // namespace detail
@@ -95,7 +97,7 @@ inline gcv_escape penetration(const Polygon& a, const Polygon& b, Point translat
 /** How far B can move along a motion before it overlaps A. */
 inline std::vector<gcv_impact> cast(const Polygon& a, const Polygon& b, View<Point> translations,
                                     View<Point> motions, const Options& options = {}) {
-  detail::check_motions(translations, motions);
+  detail::as_many("motions", motions.size(), "translations", translations.size());
   return detail::answers<gcv_impact>(
       translations.size(), options, [&](const gcv_options* known, gcv_impact* out) {
         return gcv_cast(a.get(), b.get(), detail::doubles(translations.data()),
@@ -110,8 +112,10 @@ inline gcv_impact cast(const Polygon& a, const Polygon& b, Point translation, Po
 /** A list of contacts. It never changes. */
 class ContactList {
  public:
+  /** Empty. */
+  ContactList() = default;
   /** Takes over what the library made; empty for nullptr. */
-  explicit ContactList(gcv_contact_list* list = nullptr) : handle_(list) {}
+  explicit ContactList(gcv_contact_list* list) : handle_(list) {}
 
   [[nodiscard]] std::vector<gcv_contact> contacts() const {
     return detail::elements<gcv_contact>(
