@@ -17,13 +17,14 @@ export const Status = {
   CANCELLED: 11,
   INTERNAL: 100,
 } as const;
+export type Status = (typeof Status)[keyof typeof Status];
 
 /** A call that failed. The message says why. */
 export class GcvError extends Error {
-  /** One of Status. */
-  readonly status: number;
+  /** Why it failed. */
+  readonly status: Status;
 
-  constructor(status: number, message: string) {
+  constructor(status: Status, message: string) {
     super(message);
     this.status = status;
   }
@@ -45,7 +46,7 @@ export class InputError extends GcvError {}
 /** A computation that the progress function ended. */
 export class CancelledError extends GcvError {}
 
-const inputStatuses: number[] = [
+const inputStatuses: Status[] = [
   Status.INVALID_ARGUMENT,
   Status.NOT_FINITE,
   Status.DEGENERATE,
@@ -54,7 +55,7 @@ const inputStatuses: number[] = [
 ];
 
 /** The error for a status. @internal */
-export function errorOf(status: number, message: string): GcvError {
+export function errorOf(status: Status, message: string): GcvError {
   if (inputStatuses.includes(status)) {
     return new InputError(status, message);
   }
@@ -90,6 +91,9 @@ export function caught<T>(make: () => T): T | GcvError {
   }
 }
 
+/** The key of what an object of the library is in a few words. @internal */
+export const words = Symbol("words");
+
 /** The value in a message. @internal */
 export function short(value: unknown): string {
   const text = textOf(value);
@@ -103,11 +107,14 @@ function textOf(value: unknown): string {
   if (typeof value === "bigint") {
     return `${value}n`;
   }
+  if (typeof value === "object" && value !== null && words in value) {
+    return String(value[words]);
+  }
   const withBigInts = (_: string, part: unknown) => (typeof part === "bigint" ? `${part}n` : part);
   try {
     return JSON.stringify(value, withBigInts) ?? String(value);
   } catch {
-    // A cycle, or a shape that was freed.
+    // A cycle, or an array with a shape that was freed.
     return Object.prototype.toString.call(value);
   }
 }

@@ -5,7 +5,7 @@
 //
 // What all objects of the library have in common.
 
-import { InputError, Status } from "./errors.js";
+import { InputError, Status, words } from "./errors.js";
 import { library } from "./library.js";
 
 /** The name of the function that ends an object. */
@@ -27,10 +27,13 @@ const registry = new FinalizationRegistry<[Destroy, number]>(([destroy, pointer]
  * An object of the library, in the memory of its WebAssembly module.
  *
  * free() ends it at once, and so does `using`. Otherwise it ends at some time after the garbage
- * collector has found that nothing refers to it.
+ * collector has found that nothing refers to it. While a call uses an object, it can be neither
+ * freed nor changed by what the call calls, such as its progress function: that throws an InputError.
  */
 export abstract class Handle {
   #pointer: number;
+  /** How many calls use it and have not returned. */
+  #calls = 0;
   readonly #destroy: Destroy;
   readonly #facts = new Map<string, unknown>();
 
@@ -43,12 +46,35 @@ export abstract class Handle {
   /** @internal */
   get pointer(): number {
     if (this.#pointer === 0) {
-      throw new InputError(
-        Status.INVALID_ARGUMENT,
-        `${this.constructor.name}: it was freed, and cannot be used any more`,
-      );
+      throw this.refusal("it was freed, and cannot be used any more");
     }
     return this.#pointer;
+  }
+
+  /** The same, for a call that changes the object. @internal */
+  protected get pointerToChange(): number {
+    this.refuseInUse("changed");
+    return this.pointer;
+  }
+
+  /** A call begins to use it: nothing frees or changes it before release(). @internal */
+  hold(): void {
+    ++this.#calls;
+  }
+
+  /** That call returns. @internal */
+  release(): void {
+    --this.#calls;
+  }
+
+  private refuseInUse(what: string): void {
+    if (this.#calls !== 0) {
+      throw this.refusal(`it is in use by a call that has not returned, and cannot be ${what}`);
+    }
+  }
+
+  private refusal(reason: string): InputError {
+    return new InputError(Status.INVALID_ARGUMENT, `${this.constructor.name}: ${reason}`);
   }
 
   /** What ask() gives, asked once. @internal */
@@ -63,9 +89,19 @@ export abstract class Handle {
   /** What it holds, in a few words. @internal */
   protected abstract inWords(): string;
 
+  /** @internal */
+  get [words](): string {
+    return `<${this.constructor.name}${this.isFreed ? ", freed" : ` of ${this.inWords()}`}>`;
+  }
+
   /** What console.log() shows in Node. */
   [Symbol.for("nodejs.util.inspect.custom")](): string {
-    return `<${this.constructor.name}${this.isFreed ? ", freed" : ` of ${this.inWords()}`}>`;
+    return this[words];
+  }
+
+  /** What it is, in a few words. */
+  toString(): string {
+    return this[words];
   }
 
   /** Whether free() was called. */
@@ -73,9 +109,13 @@ export abstract class Handle {
     return this.#pointer === 0;
   }
 
-  /** Ends the object and gives its memory back. A second call does nothing. */
+  /**
+   * Ends the object and gives its memory back. A second call does nothing. Throws while a call uses
+   * the object.
+   */
   free(): void {
     if (this.#pointer !== 0) {
+      this.refuseInUse("freed");
       registry.unregister(this);
       library[this.#destroy](this.#pointer);
       this.#pointer = 0;

@@ -19,7 +19,7 @@ export type {
 export { ContactList, PairList } from "./lists.js";
 export { version as libraryVersion } from "./memory.js";
 export { offset } from "./offset.js";
-export type { CallOptions, LeaveOut, RegionOptions, SumOptions } from "./options.js";
+export type { AbortSignalLike, CallOptions, LeaveOut, RegionOptions, SumOptions } from "./options.js";
 export { OuterFace } from "./outer_face.js";
 export type { NumberArray, Point, Points } from "./points.js";
 export { Polygon } from "./polygon.js";

@@ -13,16 +13,8 @@ abstract class RecordList<T> extends Handle implements Iterable<T> {
   /** All of them; the same array at each access. */
   abstract get records(): T[];
 
-  /** @internal */
-  protected abstract readonly noun: string;
-
   get length(): number {
     return this.records.length;
-  }
-
-  /** @internal */
-  protected override inWords(): string {
-    return counted(this.length, this.noun);
   }
 
   at(index: number): T | undefined {
@@ -32,16 +24,23 @@ abstract class RecordList<T> extends Handle implements Iterable<T> {
   [Symbol.iterator](): Iterator<T> {
     return this.records[Symbol.iterator]();
   }
+
+  /** The records, for JSON.stringify. */
+  toJSON(): T[] {
+    return this.records;
+  }
 }
 
 /** Contacts, the nearest first. */
 export class ContactList extends RecordList<Contact> {
   /** @internal */
-  protected override readonly noun = "contact";
-
-  /** @internal */
   constructor(made: Made) {
     super(made, "gcv_contact_list_destroy");
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    return counted(this.length, "contact");
   }
 
   override get records(): Contact[] {
@@ -69,11 +68,13 @@ export class ContactList extends RecordList<Contact> {
 /** Pairs of ids, by a, then by b. */
 export class PairList extends RecordList<Pair> {
   /** @internal */
-  protected override readonly noun = "pair";
-
-  /** @internal */
   constructor(made: Made) {
     super(made, "gcv_pair_list_destroy");
+  }
+
+  /** @internal */
+  protected override inWords(): string {
+    return counted(this.length, "pair");
   }
 
   override get records(): Pair[] {

@@ -75,7 +75,7 @@ export function lastMessage(): string {
 /** Throws the error of a status other than 0. */
 export function check(status: number): void {
   if (status !== 0) {
-    throw errorOf(status, lastMessage());
+    throw errorOf(status as Status, lastMessage());
   }
 }
 

@@ -4,9 +4,10 @@
 // Polygons with a clearance.
 
 import { InputError, Status, unfit } from "./errors.js";
+import { withOperands } from "./operands.js";
 import { callOptions, checkOptions, type CallOptions, type RegionOptions } from "./options.js";
 import { numberOf } from "./points.js";
-import { Polygon, polygonOf } from "./polygon.js";
+import { Polygon } from "./polygon.js";
 import type { Region } from "./region.js";
 import type { PolygonLike } from "./sources.js";
 import { innerFitRegion, minkowskiSumRegion } from "./sums.js";
@@ -57,11 +58,9 @@ export function offset(
   if (2.4 * Math.sqrt(radius / tolerance) > mostVertices) {
     throw tooSmall(tolerance, `a distance of ${distance}: its disc has too many vertices`);
   }
-  const made: Polygon[] = [];
-  try {
-    const source = polygonOf(polygon, "polygon", made);
-    const disc = discOf(radius, tolerance);
-    made.push(disc);
+  return withOperands((operands) => {
+    const source = operands.polygon(polygon, "polygon");
+    const disc = operands.own(discOf(radius, tolerance));
     const region =
       distance > 0
         ? minkowskiSumRegion(source, disc, safe)
@@ -71,9 +70,7 @@ export function offset(
       throw tooSmall(tolerance, roundings);
     }
     return region;
-  } finally {
-    made.forEach((one) => one.free());
-  }
+  });
 }
 
 /** A disc that contains the one of that radius. */

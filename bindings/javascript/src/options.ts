@@ -12,19 +12,26 @@ import { numberOf } from "./points.js";
 /** What a region is to lack, to save time: its holes, its segments and points, or both. */
 export type LeaveOut = "holes" | "fits" | readonly ("holes" | "fits")[];
 
+/** What is used of an AbortSignal; any AbortSignal will do. */
+export interface AbortSignalLike {
+  readonly aborted: boolean;
+  throwIfAborted(): void;
+}
+
 /** Options of whatever can take long. */
 export interface CallOptions {
   /**
    * Called with the steps done and a guess of all steps, which is never below, at the start, at the
    * end, and every few thousand steps. Where it gives true, the computation ends with a
-   * CancelledError; what it throws ends it too.
+   * CancelledError; what it throws ends it too. It can read and ask all objects. To free or
+   * to change one that the computation uses throws.
    */
   progress?: (done: number, estimate: number) => boolean | void;
   /**
    * Ends the computation with its reason. Nothing else runs in this thread during a computation: it
    * has to be aborted before or by the progress function.
    */
-  signal?: AbortSignal;
+  signal?: AbortSignalLike;
 }
 
 /** Options of outer faces. */

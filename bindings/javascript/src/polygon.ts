@@ -3,7 +3,7 @@
 //
 // Polygons.
 
-import { caught, GcvError, named } from "./errors.js";
+import { GcvError, named } from "./errors.js";
 import { closedRing, wktOfRings, type GeoJSONPolygon } from "./geojson.js";
 import { counted, Made } from "./handle.js";
 import { library, view } from "./library.js";
@@ -155,7 +155,7 @@ export class Polygon extends Shape {
    * [0, -1, 0, 1, 0, 0] is a quarter turn. Two rows of three are refused.
    */
   affine(matrix: ArrayLike<number>): Polygon {
-    return new Polygon(affineMade(this.pointer, matrix));
+    return new Polygon(affineMade(this, matrix));
   }
 
   /** The polygon moved by a vector, each coordinate correctly rounded. */
@@ -192,39 +192,13 @@ export class Polygon extends Shape {
 
   /** @internal */
   override polygonMade(): Made {
-    return affineMade(this.pointer, [1, 0, 0, 0, 1, 0]);
+    return affineMade(this, [1, 0, 0, 0, 1, 0]);
   }
 }
 
-function affineMade(pointer: number, matrix: ArrayLike<number>): Made {
+function affineMade(polygon: Polygon, matrix: ArrayLike<number>): Made {
   return withScratch((scratch) => {
     const numbers = scratch.doubles(numbersOf(matrix, 6, "matrix"));
-    return new Made(pointerOf((out) => library.gcv_polygon_affine(pointer, numbers, out)));
+    return new Made(pointerOf((out) => library.gcv_polygon_affine(polygon.pointer, numbers, out)));
   });
-}
-
-/** What use() gives for the polygons of sources by the names of the arguments. @internal */
-export function withPolygons<T>(
-  sources: Record<string, PolygonLike>,
-  use: (...polygons: number[]) => T,
-): T {
-  const made: Polygon[] = [];
-  try {
-    return use(...Object.entries(sources).map(([name, source]) => polygonOf(source, name, made).pointer));
-  } finally {
-    made.forEach((polygon) => polygon.free());
-  }
-}
-
-/** The polygon that a source is, or one made from it, which goes to `made` too. @internal */
-export function polygonOf(source: PolygonLike, name: string, made: Polygon[]): Polygon {
-  if (source instanceof Polygon) {
-    return source;
-  }
-  const polygon = caught(() => new Polygon(source));
-  if (polygon instanceof GcvError) {
-    throw named(polygon, name);
-  }
-  made.push(polygon);
-  return polygon;
 }

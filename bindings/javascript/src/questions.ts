@@ -7,6 +7,7 @@ import { errorOf, Status } from "./errors.js";
 import { library } from "./library.js";
 import { ContactList } from "./lists.js";
 import { structsAt, withScratch, type Scratch } from "./memory.js";
+import { withPolygons } from "./operands.js";
 import {
   callOptions,
   checkOptions,
@@ -17,7 +18,6 @@ import {
   type LeaveOut,
 } from "./options.js";
 import { coordinatesOf, isPoint, numberOf, numbersOf, type Point, type Points } from "./points.js";
-import { withPolygons } from "./polygon.js";
 import {
   escapeStruct,
   impactStruct,

@@ -8,6 +8,7 @@ import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { ContactList, PairList } from "./lists.js";
 import { doublesAt, pointerOf, withScratch, type Scratch } from "./memory.js";
+import { withOperands, type Operands } from "./operands.js";
 import {
   callOptions,
   checkOptions,
@@ -18,7 +19,7 @@ import {
   type RegionOptions,
 } from "./options.js";
 import { numberOf, numbersOf, type Point, type Points } from "./points.js";
-import { withPolygons, type Box } from "./polygon.js";
+import type { Box } from "./polygon.js";
 import { answer, type EscapeOptions } from "./questions.js";
 import {
   escapeStruct,
@@ -56,8 +57,8 @@ const regionOptions = [...placeOptions, "rounding"];
 const querySize = 16;
 
 /**
- * Polygons at positions, the members, and perhaps a container round them. It can change; a change
- * that throws leaves it as it was.
+ * Polygons at positions, the members, and perhaps a container round them. It can change, but not
+ * while it is asked, by a progress function; a change that throws leaves it as it was.
  *
  * A member is its polygon moved by its position, exactly. Members have ids 2, 3, 4, ... as they are
  * added; an id is never used again, and the container's is 1. The scene keeps what it needs of the
@@ -68,7 +69,7 @@ export class Scene extends SceneMembers {
   copy(): Scene {
     const made = new Made(pointerOf((out) => library.gcv_scene_copy(this.pointer, out)));
     const scene = new Scene(made);
-    scene.kept = this.container;
+    scene.keepContainerOf(this);
     return scene;
   }
 
@@ -182,9 +183,9 @@ export class Scene extends SceneMembers {
    * other. With an earlier list of this scene, what has not moved since is not computed again.
    */
   pairs(distance = 0, previous: PairList | null = null, options: QueryOptions = {}): PairList {
-    return this.ask({}, options, queryOptions, (scratch, _, query) => {
+    return this.ask({}, options, queryOptions, (scratch, _, query, operands) => {
       const limit = numberOf(distance, "distance");
-      const earlier = pointerOfPrevious(previous, PairList);
+      const earlier = pointerOfPrevious(previous, PairList, operands);
       return new PairList(
         madeBy(scratch, options, (known, out) =>
           library.gcv_scene_pairs(this.pointer, earlier, limit, query, known, out),
@@ -200,9 +201,9 @@ export class Scene extends SceneMembers {
     previous: ContactList | null = null,
     options: QueryOptions = {},
   ): ContactList {
-    return this.ask({}, options, queryOptions, (scratch, _, query) => {
+    return this.ask({}, options, queryOptions, (scratch, _, query, operands) => {
       const limits = [numberOf(distance, "distance"), numberOf(slope, "slope")];
-      const earlier = pointerOfPrevious(previous, ContactList);
+      const earlier = pointerOfPrevious(previous, ContactList, operands);
       return new ContactList(
         madeBy(scratch, options, (known, out) =>
           library.gcv_scene_contacts(this.pointer, earlier, ...limits, query, known, out),
@@ -230,19 +231,21 @@ export class Scene extends SceneMembers {
     sources: { moving?: PolygonLike },
     options: QueryOptions,
     names: string[],
-    use: (scratch: Scratch, moving: number, query: number) => T,
+    use: (scratch: Scratch, moving: number, query: number, operands: Operands) => T,
   ): T {
     checkOptions(options, names);
     const { layers = allLayers, ignore = [] } = options;
-    return withPolygons(sources as Record<string, PolygonLike>, (moving = 0) =>
+    return withOperands((operands) =>
       withScratch((scratch) => {
+        operands.use(this);
+        const [moving = 0] = operands.pointers(sources as Record<string, PolygonLike>);
         const ids = idsOf(ignore, "ignore");
         const query = scratch.room(querySize);
         const ignored = scratch.ids(ids);
         [querySize, layersOf(layers), ignored, ids.length].forEach((word, k) =>
           view().setUint32(query + 4 * k, word, true),
         );
-        return use(scratch, moving, query);
+        return use(scratch, moving, query, operands);
       }),
     );
   }
@@ -252,6 +255,7 @@ export class Scene extends SceneMembers {
 function pointerOfPrevious(
   previous: PairList | ContactList | null,
   Kind: typeof PairList | typeof ContactList,
+  operands: Operands,
 ): number {
   if (previous === null) {
     return 0;
@@ -259,5 +263,5 @@ function pointerOfPrevious(
   if (!(previous instanceof Kind)) {
     throw unfit("previous", previous, `a ${Kind.name}`);
   }
-  return previous.pointer;
+  return operands.use(previous).pointer;
 }

@@ -7,8 +7,9 @@ import { unfit } from "./errors.js";
 import { counted, Handle, Made } from "./handle.js";
 import { library } from "./library.js";
 import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
+import { newPolygon, withOperands, withPolygons } from "./operands.js";
 import { checkCounts, coordinatesOf, elementsOf, isList, isPoint, type Point, type Points } from "./points.js";
-import { Polygon, polygonOf, withPolygons } from "./polygon.js";
+import { Polygon } from "./polygon.js";
 import type { PolygonLike } from "./sources.js";
 
 /** All layers, one for each bit. @internal */
@@ -16,8 +17,8 @@ export const allLayers = 0xffffffff;
 
 /** What a scene consists of. */
 export abstract class SceneMembers extends Handle {
-  /** The polygon of the container, of which the library gives no handle. @internal */
-  protected kept: Polygon | null = null;
+  /** The polygon of the container, of which the library gives no handle. */
+  #kept: Polygon | null = null;
 
   /** A scene without members, in a container if there is one. */
   constructor(container?: PolygonLike | null);
@@ -38,29 +39,38 @@ export abstract class SceneMembers extends Handle {
     }
   }
 
-  /** The polygon that members are to be in, made at each call; null for none. */
+  /** The polygon that members are to be in, made at each call; null for none. It can be set. */
   get container(): Polygon | null {
     void this.pointer; // throws where the scene was freed
-    return this.kept === null ? null : new Polygon(this.kept.polygonMade());
+    return this.#kept === null ? null : new Polygon(this.#kept.polygonMade());
+  }
+
+  set container(container: PolygonLike | null) {
+    this.setContainer(container);
   }
 
   /** Puts a container round the members, in place of the one that there may be; null for none. */
   setContainer(container: PolygonLike | null): void {
-    const kept = container === null ? null : ownPolygon(container, "container");
+    const kept = container === null ? null : newPolygon(container, "container");
     try {
-      check(library.gcv_scene_set_container(this.pointer, kept?.pointer ?? 0));
+      check(library.gcv_scene_set_container(this.pointerToChange, kept?.pointer ?? 0));
     } catch (error) {
       kept?.free();
       throw error;
     }
-    this.kept?.free();
-    this.kept = kept;
+    this.#kept?.free();
+    this.#kept = kept;
+  }
+
+  /** Keeps the container of another scene, of which this is a copy. @internal */
+  protected keepContainerOf(other: SceneMembers): void {
+    this.#kept = other.container;
   }
 
   override free(): void {
     super.free();
-    this.kept?.free();
-    this.kept = null;
+    this.#kept?.free();
+    this.#kept = null;
   }
 
   /** Adds a polygon at a position, and gives its id. */
@@ -92,7 +102,7 @@ export abstract class SceneMembers extends Handle {
         scratch.doubles(places),
         scratch.room(8 * count),
       ];
-      check(library.gcv_scene_add(this.pointer, polygons, xy, count, ids));
+      check(library.gcv_scene_add(this.pointerToChange, polygons, xy, count, ids));
       return structsAt(ids, 8, count, integerAt);
     });
   }
@@ -106,7 +116,7 @@ export abstract class SceneMembers extends Handle {
       const coordinates = coordinatesOf(places, "positions", "a pair of numbers, nor an array of pairs");
       checkCounts("ids", count, "positions", coordinates.length / 2);
       const xy = scratch.doubles(coordinates);
-      return library.gcv_scene_set(this.pointer, list, 0, xy, count);
+      return library.gcv_scene_set(this.pointerToChange, list, 0, xy, count);
     });
   }
 
@@ -115,7 +125,7 @@ export abstract class SceneMembers extends Handle {
     withPolygons({ polygon }, (pointer) =>
       this.change(ids, (scratch, list, count) => {
         const polygons = scratch.words(new Array<number>(count).fill(pointer!));
-        return library.gcv_scene_set(this.pointer, list, polygons, 0, count);
+        return library.gcv_scene_set(this.pointerToChange, list, polygons, 0, count);
       }),
     );
   }
@@ -128,7 +138,7 @@ export abstract class SceneMembers extends Handle {
         checkCounts("ids", count, "polygons", pointers.length);
         checkCounts("ids", count, "positions", coordinates.length / 2);
         const [shapes, xy] = [scratch.words(pointers), scratch.doubles(coordinates)];
-        return library.gcv_scene_set(this.pointer, list, shapes, xy, count);
+        return library.gcv_scene_set(this.pointerToChange, list, shapes, xy, count);
       }),
     );
   }
@@ -138,13 +148,13 @@ export abstract class SceneMembers extends Handle {
     const bits = layersOf(layers);
     this.change(ids, (scratch, list, count) => {
       const words = scratch.words(new Array<number>(count).fill(bits));
-      return library.gcv_scene_set_layers(this.pointer, list, words, count);
+      return library.gcv_scene_set_layers(this.pointerToChange, list, words, count);
     });
   }
 
   /** Takes members out. */
   remove(ids: number | readonly number[]): void {
-    this.change(ids, (_, list, count) => library.gcv_scene_remove(this.pointer, list, count));
+    this.change(ids, (_, list, count) => library.gcv_scene_remove(this.pointerToChange, list, count));
   }
 
   private change(
@@ -197,21 +207,11 @@ export abstract class SceneMembers extends Handle {
   }
 }
 
-/** A new polygon, whatever it is made from. */
-function ownPolygon(source: PolygonLike, name: string): Polygon {
-  const made: Polygon[] = [];
-  const polygon = polygonOf(source, name, made);
-  return made.length === 0 ? new Polygon(polygon.polygonMade()) : polygon;
-}
-
 function withMany<T>(sources: readonly PolygonLike[], use: (pointers: number[]) => T): T {
-  const made: Polygon[] = [];
-  try {
+  return withOperands((operands) => {
     const polygons = elementsOf(sources, "polygons");
-    return use(polygons.map((source, k) => polygonOf(source, `polygons[${k}]`, made).pointer));
-  } finally {
-    made.forEach((polygon) => polygon.free());
-  }
+    return use(polygons.map((source, k) => operands.polygon(source, `polygons[${k}]`).pointer));
+  });
 }
 
 /** Ids as they are passed. @internal */

@@ -3,11 +3,12 @@
 //
 // Outer faces and regions of two polygons, and of many pairs.
 
-import { caught, errorOf, GcvError } from "./errors.js";
+import { caught, errorOf, GcvError, type Status } from "./errors.js";
 import { edgeSourceAt, type EdgeSource } from "./facts.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { lastMessage, pointerOf, structsAt, structsOf, withScratch } from "./memory.js";
+import { withOperands, withPolygons } from "./operands.js";
 import {
   checkOptions,
   madeBy,
@@ -19,7 +20,7 @@ import {
 } from "./options.js";
 import { OuterFace } from "./outer_face.js";
 import { checkCounts, coordinatesOf, elementsOf, numbersOf, type Point, type Points } from "./points.js";
-import { Polygon, polygonOf, withPolygons } from "./polygon.js";
+import type { Polygon } from "./polygon.js";
 import { Region } from "./region.js";
 import type { PolygonLike } from "./sources.js";
 
@@ -162,12 +163,11 @@ function many<T extends OuterFace | Region>(
   options: RegionOptions & ManyOptions = {},
 ): (T | GcvError)[] {
   checkOptions(options, [...optionsOf(Result), "returnErrors"]);
-  const made: Polygon[] = [];
-  try {
+  return withOperands((operands) => {
     const [[firstName, first], [secondName, second]] = Object.entries(sources).map(([name, list]) => [
       name,
       elementsOf(list, name).map((source, k) =>
-        caught(() => polygonOf(source, `${name}[${k}]`, made)),
+        caught(() => operands.polygon(source, `${name}[${k}]`)),
       ),
     ]) as [[string, (Polygon | GcvError)[]], [string, (Polygon | GcvError)[]]];
     const places =
@@ -198,15 +198,13 @@ function many<T extends OuterFace | Region>(
           return;
         }
         const reason = message.replace(`pair ${n}:`, `pair ${k}:`);
-        results[k] = errorOf(status, reason || `pair ${k} alone says why it fails`);
+        results[k] = errorOf(status as Status, reason || `pair ${k} alone says why it fails`);
         message = "";
       });
     });
     throwFirst(results, options);
     return results as (T | GcvError)[];
-  } finally {
-    made.forEach((polygon) => polygon.free());
-  }
+  });
 }
 
 function throwFirst(

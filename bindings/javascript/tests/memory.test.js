@@ -41,6 +41,10 @@ test("objects are shown in words", () => {
   assert.equal(inspect([scene]), "[ <Scene of 1 member in a container> ]");
   assert.equal(inspect(scene.pairs(1)), "<PairList of 1 pair>");
   assert.equal(inspect(gcv.contacts(polygon, polygon, [1, 0], 0)), "<ContactList of 6 contacts>");
+  const objects = [polygon, region, scene, scene.pairs(1), scene.contacts(1)];
+  assert.deepEqual(objects.flatMap(Object.keys), []);
+  assert.equal(String(scene), "<Scene of 1 member in a container>");
+  assert.equal(`${scene.pairs(1)}`, "<PairList of 1 pair>");
   scene.remove(id);
   polygon.free();
   assert.equal(inspect(polygon), "<Polygon, freed>");

@@ -69,5 +69,7 @@ test("contacts", () => {
   assert.equal(list.at(0).gap, 0.5);
   assert.deepEqual([...list], list.records);
   assert.deepEqual(list.previous, new Array(6).fill(null));
+  assert.equal(String(list), "<ContactList of 6 contacts>");
+  assert.deepEqual(JSON.parse(JSON.stringify({ list })), { list: list.records });
   assert.throws(() => gcv.contacts(square, square, [0, 0], -1), gcv.InputError);
 });

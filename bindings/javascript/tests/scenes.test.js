@@ -41,6 +41,11 @@ test("the container is given back, as it was passed", () => {
   assert.equal(scene.container.area, 8);
   scene.setContainer(null);
   assert.equal(scene.container, null);
+  scene.container = square(3);
+  assert.equal(scene.container.area, 9);
+  assert.throws(() => (scene.container = 5), { name: "InputError", message: /^container: 5 is not/ });
+  scene.container = null;
+  assert.equal(scene.freeRegion(square(1), [0, 0, 2, 2]).area, 4);
   scene.free();
   assert.throws(() => scene.container, InputError);
   assert.equal(copy.container.area, 100);
@@ -109,6 +114,7 @@ test("lists of pairs and contacts", () => {
   scene.add(square(1), [[0, 0], [1, 0], [5, 0]]);
   const pairs = scene.pairs();
   assert.deepEqual([...pairs], [{ a: 2, b: 3, relation: TOUCHING }]);
+  assert.equal(JSON.stringify(pairs), '[{"a":2,"b":3,"relation":0}]');
   const contacts = scene.contacts();
   assert.equal(contacts.at(0).idA, 2);
   assert.equal(contacts.at(0).idB, 3);

@@ -30,7 +30,17 @@ const text: string = `${polygon}`;
 const json: gcv.GeoJSONPolygon = polygon.toJSON();
 const parts: gcv.GeoJSONMultiPolygon | gcv.GeoJSONGeometryCollection = region.toJSON();
 const grown: gcv.Region = gcv.offset(polygon, 1, 0.1, { progress: () => false });
-export { best, faces, grown, json, many, one, parts, place, places, results, text };
+const list: gcv.ContactList = gcv.contacts(polygon, polygon);
+const found: gcv.Contact[] = list.toJSON();
+const scene = new gcv.Scene();
+scene.container = pairs;
+scene.container = null;
+const container: gcv.Polygon | null = scene.container;
+const degenerate: gcv.Status = gcv.Status.DEGENERATE;
+const status: gcv.Status = new gcv.InputError(degenerate, "").status;
+const signal: gcv.AbortSignalLike = { aborted: false, throwIfAborted() {} };
+const stopped: gcv.OuterFace = gcv.minkowskiSum(polygon, polygon, { signal });
+export { best, container, faces, found, grown, json, many, one, parts, place, places, results, status, stopped, text };
 
 // @ts-expect-error: only the library makes outer faces.
 new gcv.OuterFace();
@@ -40,5 +50,9 @@ gcv.minkowskiSum(polygon, polygon, { rounding: "up" });
 gcv.minkowskiSum(polygon, polygon, { leaveOut: "fits" });
 // @ts-expect-error: these are contacts, not pairs.
 new gcv.Scene().pairs(0, new gcv.Scene().contacts());
+// @ts-expect-error: there is no such status.
+new gcv.GcvError(10, "");
+// @ts-expect-error: this cannot say that it is aborted.
+gcv.minkowskiSum(polygon, polygon, { signal: {} });
 // @ts-expect-error: a translation is a pair.
 gcv.relation(polygon, polygon, [1, 2, 3]);
