@@ -7,7 +7,7 @@ from __future__ import annotations
 import threading
 from collections.abc import Iterable
 from contextlib import suppress
-from typing import Any, Callable, Literal, Optional, TypeVar, Union
+from typing import Any, Callable, Literal, Optional, SupportsFloat, TypeVar, Union
 
 from . import _ffi, _structs
 from ._coordinates import count, number
@@ -28,7 +28,7 @@ def run(
     call: Callable[[Any], _T],
     pairs: int,
     rounding: Rounding,
-    tolerance: float,
+    tolerance: SupportsFloat,
     threads: int,
     progress: Optional[Progress],
     leave_out: LeaveOut = (),
@@ -109,7 +109,11 @@ def _bits(leave_out: LeaveOut) -> int:
 
 
 def _options(
-    rounding: Rounding, tolerance: float, threads: int, leave_out: LeaveOut, report: Any = None
+    rounding: Rounding,
+    tolerance: SupportsFloat,
+    threads: int,
+    leave_out: LeaveOut,
+    report: Any = None,
 ) -> Any:
     """The options as the library takes them; None for the defaults."""
     bits = _bits(leave_out)

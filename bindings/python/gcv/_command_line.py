@@ -5,13 +5,15 @@
 from __future__ import annotations
 
 import argparse
+import difflib
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Optional
 
 from ._arguments import parser
 from ._commands import UsageError
-from ._completion import subcommands
+from ._completion import option_strings, subcommands
 from ._ffi import Error
 from ._files import STANDARD_INPUT
 from ._writing import STANDARD_OUTPUT, write
@@ -28,7 +30,8 @@ def main(arguments: Optional[list[str]] = None) -> int:
     words = sys.argv[1:] if arguments is None else arguments
     options, unknown = program.parse_known_args(_with_command(program, words))
     if unknown:
-        options.parser.error(f"unrecognized arguments: {' '.join(unknown)}")
+        meant = _meant(unknown[0], option_strings(options.parser))
+        options.parser.error(f"unrecognized arguments: {' '.join(unknown)}{meant}")
     try:
         text = _run(options)
         write(text and text + "\n", options.output)
@@ -47,15 +50,33 @@ def main(arguments: Optional[list[str]] = None) -> int:
 
 
 def _with_command(program: argparse.ArgumentParser, words: list[str]) -> list[str]:
-    """The words of the command line, with sum before those that begin with a file or an option.
+    """The words of the command line, with sum before those that begin with a file or its option.
 
     A word with a suffix is a file, too: it may be one that is missing.
     """
-    if not words or words[0] in (*subcommands(program), "-h", "--help", "--version"):
+    commands, own = subcommands(program), option_strings(program)
+    if not words or words[0] in (*commands, *own):
         return words
-    first = Path(words[0])
-    is_file = words[0].startswith("-") or first.suffix or first.exists()
-    return ["sum", *words] if is_file else words
+    first = words[0]
+    if first.startswith("-") and first not in (STANDARD_INPUT, "--"):
+        known = [*own, *option_strings(commands["sum"])]
+        if _name(first) not in known and not first.startswith("-o"):
+            program.error(f"unrecognized arguments: {first}{_meant(first, known)}")
+    elif first[:1] != "-" and not Path(first).suffix and not Path(first).exists():
+        others = f"; choose from {', '.join(commands)}"
+        program.error(f"there is no command {first!r}{_meant(first, commands) or others}")
+    return ["sum", *words]
+
+
+def _name(option: str) -> str:
+    """The name of an option, which can have its value after it."""
+    return option.partition("=")[0]
+
+
+def _meant(word: str, known: Iterable[str]) -> str:
+    """A question for a word that is like one of those that are known; nothing for others."""
+    found = difflib.get_close_matches(_name(word), known, 1)
+    return f"; did you mean {found[0]}?" if found else ""
 
 
 def _run(options: argparse.Namespace) -> str:

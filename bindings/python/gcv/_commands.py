@@ -128,7 +128,7 @@ def free(options: Options) -> str:
             f"--format {form} is not for {'a position' if options.best else 'regions'}"
         )
     _check_limits(options)
-    members = [member.polygon for member in polygons_of(options, "scene")]
+    members = [member.polygon for member in polygons_of(options, "scene", or_none=True)]
     scene = Scene(None if options.container is None else _container(options))
     scene.add(members)
     moving = operands(options, "b")

@@ -16,6 +16,11 @@ def subcommands(parser: argparse.ArgumentParser) -> dict[str, argparse.ArgumentP
     return dict(_commands(parser).choices)
 
 
+def option_strings(parser: argparse.ArgumentParser) -> list[str]:
+    """The names of the options of a parser."""
+    return [name for action in _options(parser) for name in action.option_strings]
+
+
 def script(shell: str, parser: argparse.ArgumentParser) -> str:
     """The script for a shell."""
     return {"bash": _bash, "zsh": _zsh, "fish": _fish}[shell](parser)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import c_uint64
-from typing import Any, Optional
+from typing import Any, Optional, SupportsFloat
 
 from . import _ffi, _structs
 from ._call import Progress
@@ -71,9 +71,9 @@ def contact_list(handle: _ffi.ContactList) -> ContactList:
 def contacts(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[float] = (0, 0),
-    distance: float = 0.0,
-    slope: float = 0.0,
+    translation: Iterable[SupportsFloat] = (0, 0),
+    distance: SupportsFloat = 0.0,
+    slope: SupportsFloat = 0.0,
     *,
     threads: int = 1,
     progress: Optional[Progress] = None,

@@ -40,7 +40,13 @@ class ContactKind(IntEnum):
 
 
 class Contact(NamedTuple):
-    """A feature of A and one of B that touch, or would, and where."""
+    """A feature of A and one of B that touch, or would, and where.
+
+    a and b are numbers of the points as they were passed to Polygon: of all rings, one after
+    the other, closing and repeated points counted. They are not indices of Polygon.vertices,
+    which has other points in another order. With points, a list of the points of A as
+    passed, the vertex is points[contact.a], and an edge begins there.
+    """
 
     kind: ContactKind
     """Whether a and b are numbers of vertices or of edges."""

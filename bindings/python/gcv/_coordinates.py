@@ -324,23 +324,20 @@ def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional
 def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
     """The rings of a GeoJSON object."""
     kind = _kind(geometry)
-    while kind in ("Feature", "FeatureCollection"):
+    while kind in ("Feature", "FeatureCollection", "GeometryCollection"):
         if kind == "Feature":
             geometry = geometry.get("geometry")
+        elif kind == "FeatureCollection":
+            geometry = _only(_member(geometry, "features"), kind)
         else:
-            geometry = _only(geometry.get("features"), "FeatureCollection")
+            geometry = _only_geometry(_member(geometry, "geometries"))
         kind = _kind(geometry)
-    if kind == "GeometryCollection":
-        kinds = Counter(str(_kind(part)) for part in _sequence(geometry.get("geometries")))
-        parts = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
-        raise invalid(f"a GeometryCollection of {parts} is not one polygon")
-    coordinates = geometry.get("coordinates") if isinstance(geometry, Mapping) else None
     if kind == "MultiPolygon":
-        return _sequence(_only(coordinates, "MultiPolygon")) or [()]
+        return _sequence(_only(_member(geometry, "coordinates"), kind)) or [()]
     if kind == "LinearRing":
-        return [_sequence(coordinates)]
+        return [_sequence(_member(geometry, "coordinates"))]
     if kind == "Polygon":
-        return _sequence(coordinates) or [()]
+        return _sequence(_member(geometry, "coordinates")) or [()]
     if kind is None:
         raise invalid(f"{_short(geometry)} is not a geometry")
     raise invalid(f"a geometry of type {kind!r} is not a polygon")
@@ -348,6 +345,21 @@ def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
 
 def _kind(geometry: Any) -> Any:
     return geometry.get("type") if isinstance(geometry, Mapping) else None
+
+
+def _member(geometry: Mapping[str, Any], name: str) -> Any:
+    if name not in geometry:
+        raise invalid(f"a {_kind(geometry)} without {name} is not a polygon")
+    return geometry[name]
+
+
+def _only_geometry(parts: Any) -> Any:
+    parts = _sequence(parts)
+    if len(parts) != 1:
+        kinds = Counter(str(_kind(part)) for part in parts)
+        found = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
+        raise invalid(f"a GeometryCollection of {found} is not one polygon")
+    return parts[0]
 
 
 def _only(parts: Any, kind: str) -> Any:

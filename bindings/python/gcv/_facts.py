@@ -31,7 +31,8 @@ class EdgeSource(NamedTuple):
     """Where an edge of a sum comes from.
 
     The kind says whether a and b are numbers of vertices or of edges: of vertex k as
-    passed, or of the edge from vertex k to k+1.
+    passed, or of the edge from vertex k to k+1. As in Contact, they are no indices of
+    Polygon.vertices.
     """
 
     kind: int
@@ -67,7 +68,7 @@ class Result:
     A pickle has all facts and no handle.
     """
 
-    __slots__ = ("_facts", "_handle")
+    __slots__ = ("__weakref__", "_facts", "_handle")
 
     _questions: ClassVar[dict[str, Callable[[Any], Any]]]
     """How each fact is asked of the library. An exception is a fact too."""

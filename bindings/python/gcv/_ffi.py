@@ -184,7 +184,7 @@ def named(error: Error, name: str) -> Error:
 def last_error_message() -> str:
     """What the last failure on this thread was about."""
     message: bytes = _last_error_message()
-    return message.decode(errors="replace")
+    return message.decode(errors="replace").replace("GCV_LEAVE_OUT_HOLES", "'holes'")
 
 
 def _check(status: int, _function: object, _arguments: object) -> int:

@@ -23,23 +23,27 @@ _PAIR = re.compile(rf"({NUMBER})(?:\s*,\s*|\s+)({NUMBER})")
 
 
 def read_polygons(
-    file: str, flatten: Optional[float], note: Callable[[str], None]
+    file: str, flatten: Optional[float], note: Callable[[str], None], *, or_none: bool = False
 ) -> list[NamedPolygon]:
     """All polygons of a file; whether it is WKT, GeoJSON, SVG or DXF is told by its bytes.
 
     flatten: how far lines may be from curves; None where there may be none. note is told
-    in a sentence of what the file has beside polygons.
+    in a sentence of what the file has beside polygons. or_none: whether geometries without a
+    polygon will do, such as a MULTIPOLYGON EMPTY.
 
     Raises InputError where there is no polygon, or one that is none; OSError where the
     file cannot be read.
     """
     name, data = name_of(file), _read(file)
     reading = Reading(name, flatten, note)
+    read = _reader_of(data)
     try:
-        polygons = _reader_of(data)(data, reading)
+        polygons = read(data, reading)
     except RecursionError:
         raise invalid(name, "this is nested too deeply") from None
-    if not polygons:
+    # A drawing without polygons is more likely one of what is not read.
+    empty = or_none and bool(data.strip()) and read in (polygons_of_geojson, polygons_of_wkt)
+    if not polygons and not empty:
         raise invalid(name, "there is no polygon in this file")
     return polygons
 

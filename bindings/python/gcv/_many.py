@@ -6,10 +6,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import c_double, c_int32, c_void_p
-from typing import Any, Callable, NamedTuple, Optional, Union
+from typing import Any, Callable, NamedTuple, Optional, SupportsFloat, Union
 
 from . import _ffi
 from ._call import run
+from ._collections import collection_of
 from ._columns import Origin, column_of, common_origin, origin_of, without_errors
 from ._coordinates import pair, size
 from ._outer_face import OuterFace
@@ -33,7 +34,7 @@ def each(
     kind: Union[type[OuterFace], type[Region]],
     sources: dict[str, PolygonsLike],
     *,
-    references: Optional[Iterable[Iterable[float]]],
+    references: Optional[Iterable[Iterable[SupportsFloat]]],
     return_errors: bool,
     options: tuple[Any, ...],
 ) -> ResultList[Any]:
@@ -72,7 +73,7 @@ def each(
 
 def _read(
     sources: dict[str, PolygonsLike],
-    references: Optional[Iterable[Iterable[float]]],
+    references: Optional[Iterable[Iterable[SupportsFloat]]],
     return_errors: bool,
 ) -> tuple[list[Any], list[_Pair], Origin]:
     """Room for the results with the errors of sources in it, and the pairs without one.
@@ -88,7 +89,9 @@ def _read(
                 raise
             return error
 
-    columns = {name: column_of(some, name) for name, some in sources.items()}
+    columns = {
+        name: column_of(some, name) or collection_of(some, name) for name, some in sources.items()
+    }
 
     def polygons(name: str, some: PolygonsLike) -> list[Any]:
         column = columns[name]

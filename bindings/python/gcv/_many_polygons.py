@@ -7,6 +7,7 @@ from __future__ import annotations
 from typing import Any, Union
 
 from . import _ffi
+from ._collections import collection_of
 from ._columns import column_of, origin_of, without_errors
 from ._coordinates import rings_of_many
 from ._handles import created_many
@@ -17,7 +18,8 @@ from ._sources import iterable, read
 
 def many_polygons(sources: Any, return_errors: bool) -> ResultList[Any]:
     """The polygons of sources, or their errors in their places."""
-    column = column_of(sources, "sources", "polygon {}")
+    names = "sources", "polygon {}"
+    column = column_of(sources, *names) or collection_of(sources, *names)
     results = _polygons(sources) if column is None else column.polygons
     origin = origin_of(sources, column)
     return ResultList(results if return_errors else without_errors(results), origin)

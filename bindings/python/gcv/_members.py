@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from ctypes import byref, c_uint64, sizeof
-from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, Union, overload
 
 from . import _ffi, _structs
 from ._call import run
@@ -20,7 +20,7 @@ from ._gate import Gate
 from ._many import handle_array, vertices
 from ._polygon import Polygon, as_polygon
 from ._several import Polygons, polygons_of
-from ._sources import PolygonLike
+from ._sources import PolygonLike, Vector, Vectors
 from ._whole_numbers import WholeNumbers, ids_of, layers_of, one_id
 
 if TYPE_CHECKING:
@@ -36,7 +36,10 @@ _IDS_AT_A_TIME = 1 << 16
 class Members:
     """Polygons at positions, by their ids, and perhaps a container."""
 
-    __slots__ = ("_container", "_gate", "_handle", "_last", "_layers", "_polygons", "_vertices")
+    __slots__ = (
+        *("__weakref__", "_container", "_gate", "_handle", "_last", "_layers", "_polygons"),
+        "_vertices",
+    )
 
     _gate: Gate
     _handle: _ffi.Scene
@@ -86,10 +89,14 @@ class Members:
         self._change(change, 0 if polygon is None else vertices(polygon))
 
     @overload
-    def add(self, polygons: PolygonLike, positions: tuple[float, float] = ...) -> int: ...
+    def add(  # type: ignore[overload-overlap]
+        self, polygons: PolygonLike, positions: Vector = ...
+    ) -> int: ...
 
     @overload
-    def add(self, polygons: Polygons, positions: Iterable[Any] = ...) -> Any: ...
+    def add(
+        self, polygons: Polygons, positions: Union[Vector, Vectors] = ...
+    ) -> numpy.typing.NDArray[numpy.uint64]: ...
 
     def add(self, polygons: Polygons, positions: Any = (0, 0)) -> Any:
         """Add one polygon at one position, and return its id; or many, and return an array.
@@ -106,9 +113,9 @@ class Members:
         An array of ids is one of n uint64; a list without numpy. New members are in all
         layers.
 
-        Raises as Polygon does, InputError for a position that is no pair of numbers or not
-        finite, and ValueError where there are not as many polygons as positions; the scene
-        is then as it was.
+        Raises as Polygon does, and InputError for a position that is no pair of numbers or
+        not finite, and where there are not as many polygons as positions; the scene is then
+        as it was.
         """
         found, is_one = polygons_of(polygons, "polygons")
         doubles, is_pair = _pairs(positions)
@@ -220,6 +227,17 @@ class Members:
     def _ids(self) -> Any:
         with self._gate.asking():
             return _ffi.elements(_ffi.scene_ids, c_uint64, self._handle)
+
+    @overload
+    def positions(self, ids: int) -> tuple[float, float]: ...
+
+    @overload
+    def positions(
+        self, ids: Optional[Iterable[Any]] = ...
+    ) -> numpy.typing.NDArray[numpy.float64]: ...
+
+    @overload
+    def positions(self, ids: SupportsIndex) -> tuple[float, float]: ...
 
     def positions(self, ids: Optional[WholeNumbers] = None) -> Any:
         """The position of one member, (x, y); or of many, an array of shape (n, 2).
@@ -339,14 +357,15 @@ def _pairs(positions: Any) -> tuple[bytes, bool]:
 def _in_common(counts: dict[str, Optional[int]], ids: Any = ()) -> int:
     """The number of members that arguments are about, by the numbers that each has.
 
-    None is for one that stands for all. Raises ValueError where the others differ, and
-    InputError for a set of ids where each has something of its own.
+    None is for one that stands for all. Raises InputError where the others differ, and for
+    a set of ids where each has something of its own.
     """
     known = {name: count for name, count in counts.items() if count is not None}
     if len(known) > 1:
         check_order(ids, "ids")
     if len(set(known.values())) > 1:
-        raise ValueError(" and ".join(f"{name} has {n} elements" for name, n in known.items()))
+        found = " and ".join(f"{name} has {n} elements" for name, n in known.items())
+        raise _ffi.InputError(_ffi.INVALID_ARGUMENT, found)
     return next(iter(known.values()), 1)
 
 

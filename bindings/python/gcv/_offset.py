@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 import math
-from typing import Optional
+from typing import Optional, SupportsFloat
 
 from ._call import Progress
 from ._coordinates import number, unfit
@@ -22,8 +22,8 @@ _SHARE_OF_ROUNDING = 1 / 16
 
 def offset(
     polygon: PolygonLike,
-    distance: float,
-    tolerance: float,
+    distance: SupportsFloat,
+    tolerance: SupportsFloat,
     *,
     threads: int = 1,
     progress: Optional[Progress] = None,

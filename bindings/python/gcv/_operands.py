@@ -48,13 +48,18 @@ def operands(options: argparse.Namespace, *names: str) -> list[Operands]:
     ]
 
 
-def polygons_of(options: argparse.Namespace, name: str) -> list[NamedPolygon]:
-    """All polygons of the file that the argument of this name says."""
+def polygons_of(
+    options: argparse.Namespace, name: str, *, or_none: bool = False
+) -> list[NamedPolygon]:
+    """All polygons of the file that the argument of this name says.
+
+    or_none: whether geometries without a polygon will do.
+    """
 
     def note(text: str) -> None:
         print(f"gcv: {text}", file=sys.stderr)
 
-    return read_polygons(getattr(options, name), options.flatten, note)
+    return read_polygons(getattr(options, name), options.flatten, note, or_none=or_none)
 
 
 def _picked(options: argparse.Namespace, name: str) -> list[tuple[int, NamedPolygon]]:

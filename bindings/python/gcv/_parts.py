@@ -39,12 +39,30 @@ class RegionPart(NamedTuple):
 
 
 class RegionPolygon(NamedTuple):
-    """One polygon of a region in floats, each ring an array of shape (n, 2)."""
+    """One polygon of a region in floats, each ring an array of shape (n, 2).
+
+    Two are equal when their rings have the same vertices in the same order.
+    """
 
     outer: numpy.typing.NDArray[numpy.float64]
     """Counter-clockwise."""
     holes: list[numpy.typing.NDArray[numpy.float64]]
     """Clockwise."""
+
+    def _pairs(self) -> tuple[tuple[tuple[float, float], ...], ...]:
+        return tuple(tuple((x, y) for x, y in ring) for ring in (self.outer, *self.holes))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, RegionPolygon):
+            return NotImplemented
+        return self._pairs() == other._pairs()
+
+    # A tuple has its own, which looks at the arrays.
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    def __hash__(self) -> int:
+        return hash(self._pairs())
 
 
 def parts_of(parts: bytes) -> list[RegionPart]:

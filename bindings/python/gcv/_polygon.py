@@ -12,7 +12,16 @@ from array import array
 from collections.abc import Iterable
 from ctypes import byref, c_double
 from math import isfinite
-from typing import TYPE_CHECKING, Any, Callable, Literal, NamedTuple, Optional, Union, overload
+from typing import (
+    TYPE_CHECKING,
+    Any,
+    Literal,
+    NamedTuple,
+    Optional,
+    SupportsFloat,
+    Union,
+    overload,
+)
 
 from . import _ffi, _structs
 from ._affine import moved, six_numbers
@@ -47,23 +56,24 @@ class Polygon(Shape):
     - an array or another buffer of numbers, of shape (n, 2) and any strides, or of
       floats x0 y0 x1 y1 ...; without masked elements;
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
-      mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature or a
-      FeatureCollection of one of these;
+      mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature, a
+      FeatureCollection or a GeometryCollection of one of these;
     - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))"
       or a MULTIPOLYGON of one part;
     - the pathlib.Path of a file of such text;
     - another polygon, an outer face, or a region of one polygon and nothing else.
 
-    Elevations are left out. Holes are kept; those of the argument holes are added to
-    them, each a ring in one of the forms above. A polygon lies inside its outer ring
-    and outside its holes. Rings may touch one another in single points, but not cross
-    or overlap; holes lie in the outer ring and outside one another. An outer face is
-    that of the outer rings: holes never change it. They do change a region.
+    Elevations of geometries and of text are left out; pairs and arrays must have none.
+    Holes are kept; those of the argument holes are added to them, each a ring in one of
+    the forms above. A polygon lies inside its outer ring and outside its holes. Rings may
+    touch one another in single points, but not cross or overlap; holes lie in the outer
+    ring and outside one another. An outer face is that of the outer rings: holes never
+    change it. They do change a region.
 
     Any orientation will do, and the first vertex of a ring may be repeated at its end.
     Every check is exact: coordinates are taken for the numbers that they are. Numbers of
-    vertices and edges run through all rings as passed. Two polygons are equal when they
-    are the same set of points.
+    vertices and edges run through all rings as passed, closing and repeated points
+    counted. Two polygons are equal when they are the same set of points.
 
     Its length, vertices, and numpy.asarray of it are those of the outer ring; rings has
     all. Holes take version 0.2 of the library.
@@ -74,7 +84,7 @@ class Polygon(Shape):
     OSError for a file that cannot be read.
     """
 
-    __slots__ = ("_given", "_handle", "_maps", "_rings")
+    __slots__ = ("__weakref__", "_given", "_handle", "_maps", "_rings")
 
     _given: Rings
     """The rings as passed, which alone know the caller's numbers."""
@@ -128,8 +138,11 @@ class Polygon(Shape):
         """Many polygons in one call of the library, such as blocks that turn in every step.
 
         sources: an array of shape (n, k, 2), for n polygons of k vertices; a GeoSeries or
-        an Arrow array, as in minkowski_sum_many; or anything with a source in each place.
-        Those with holes and those of text are made one by one.
+        an Arrow array, as in minkowski_sum_many; a GeoJSON mapping or an object with a
+        __geo_interface__ that has several polygons, such as a FeatureCollection or a
+        MultiPolygon; text of several, or the pathlib.Path of a file of it; or anything with
+        a source in each place. Segments, points and missing geometries in collections are
+        left out. Those with holes, of text and of collections are made one by one.
 
         A source that is no polygon leaves the others as they are. With return_errors its
         Error takes the place of the polygon; otherwise the first such Error is raised.
@@ -145,9 +158,9 @@ class Polygon(Shape):
     @classmethod
     def disc(
         cls,
-        centre: Iterable[float],
-        radius: float,
-        tolerance: float,
+        centre: Iterable[SupportsFloat],
+        radius: SupportsFloat,
+        tolerance: SupportsFloat,
         *,
         rounding: Rounding = "nearest",
     ) -> Polygon:
@@ -200,6 +213,9 @@ class Polygon(Shape):
         First the outer ring, which is counter-clockwise, then the holes in the order
         passed, which are clockwise: the polygon is on the left of all edges. Each begins
         with its lexicographically smallest vertex.
+
+        As in vertices, points are reordered, and some are dropped: the numbers of contacts
+        and sources are those of the points as passed, not of these.
         """
         return [array_of(doubles) for doubles in self._ring_doubles]
 
@@ -236,7 +252,7 @@ class Polygon(Shape):
         xmin, ymin, xmax, ymax = box
         return xmin, ymin, xmax, ymax
 
-    def simplified(self, tolerance: float, *, rounding: Rounding = "nearest") -> Simplified:
+    def simplified(self, tolerance: SupportsFloat, *, rounding: Rounding = "nearest") -> Simplified:
         """The polygon with fewer vertices, and a bound: polygon, error_bound = ...
 
         Made once for many sums, in scenes that need no more detail. The new boundary is
@@ -249,6 +265,9 @@ class Polygon(Shape):
         Its vertices have the numbers that they have in vertices and the rings that
         follow; sums with a tolerance of their own keep the numbers of the given polygons.
 
+        It tells no progress, and nothing cancels it: KeyboardInterrupt comes when it is done,
+        which for hundreds of thousands of vertices can take seconds.
+
         Raises InputError for a tolerance that is negative or not finite.
         """
         handle, bound = _ffi.Polygon(), c_double()
@@ -258,7 +277,9 @@ class Polygon(Shape):
         )
         return Simplified(self._of(normalised_rings(handle, self.ring_count)), bound.value)
 
-    def affine(self, matrix: Union[Iterable[float], Iterable[Iterable[float]]]) -> Polygon:
+    def affine(
+        self, matrix: Union[Iterable[SupportsFloat], Iterable[Iterable[SupportsFloat]]]
+    ) -> Polygon:
         """The polygon with (x, y) moved to (m00 x + m01 y + m02, m10 x + m11 y + m12).
 
         matrix: the 2 rows of 3 numbers, or the same 6 numbers in that order, row by row
@@ -290,7 +311,7 @@ class Polygon(Shape):
                 return given, ()
         return self._given, self._maps
 
-    def translated(self, vector: Iterable[float]) -> Polygon:
+    def translated(self, vector: Iterable[SupportsFloat]) -> Polygon:
         """The polygon moved by the vector (x, y), each coordinate correctly rounded.
 
         As affine does it.
@@ -319,8 +340,11 @@ class Polygon(Shape):
         holes = f" with {count} hole{'s' if count > 1 else ''}" if count else ""
         return f"<gcv.Polygon of {len(self)} vertices{holes}>"
 
-    def __reduce__(self) -> tuple[Callable[..., Polygon], tuple[Any, ...]]:
-        return _polygon_of, (b"".join(self._given), tuple(map(size, self._given)), self._maps)
+    def __reduce__(self) -> tuple[Any, ...]:
+        state = b"".join(self._given), tuple(map(size, self._given)), self._maps
+        if type(self) is Polygon:
+            return _polygon_of, state
+        return _polygon_of, (*state, type(self)), getattr(self, "__dict__", None)
 
 
 def as_polygon(source: PolygonLike, name: str) -> Polygon:
@@ -337,14 +361,17 @@ def as_polygon(source: PolygonLike, name: str) -> Polygon:
 
 
 def _polygon_of(
-    doubles: bytes, sizes: Optional[tuple[int, ...]] = None, maps: tuple[bytes, ...] = ()
+    doubles: bytes,
+    sizes: Optional[tuple[int, ...]] = None,
+    maps: tuple[bytes, ...] = (),
+    kind: type[Polygon] = Polygon,
 ) -> Polygon:
     """What a pickle holds; those of version 0.1 had no sizes."""
     given = [doubles] if sizes is None else split(doubles, sizes)
     handle = created(given)
     for matrix in maps:
         handle = mapped(handle, array("d", matrix))
-    return Polygon._of(given, handle, maps)
+    return kind._of(given, handle, maps)
 
 
 def digits(value: float) -> str:

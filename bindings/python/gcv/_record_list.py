@@ -24,7 +24,7 @@ class RecordList(Sequence[_T]):
     A pickle has the structs and no handle.
     """
 
-    __slots__ = ("_bytes", "_handle", "_records")
+    __slots__ = ("__weakref__", "_bytes", "_handle", "_records")
 
     _struct: ClassVar[Any]
     """The C type of the structs."""

@@ -9,7 +9,7 @@ exactly, where points lie in them, and what they look like.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, overload
 
@@ -50,6 +50,7 @@ from ._parts import (
 )
 from ._polygon import Polygon
 from ._shape import array_of, parts_as_geometry
+from ._sources import Vector, Vectors
 
 if TYPE_CHECKING:
     import numpy
@@ -256,10 +257,10 @@ class Region(Result):
         return grouped(parts, doubles)
 
     @overload
-    def locate(self, points: tuple[float, float]) -> Location: ...
+    def locate(self, points: Vector) -> Location: ...
 
     @overload
-    def locate(self, points: Iterable[Any]) -> Any: ...
+    def locate(self, points: Vectors) -> numpy.typing.NDArray[numpy.int8]: ...
 
     def locate(self, points: Any) -> Any:
         """Where a point lies in the exact region, or where each of many points lies.

@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Callable, Literal, Optional, Union, overload
+from typing import Any, Callable, Literal, Optional, SupportsFloat, Union, overload
 
 from . import _ffi, _structs
 from ._call import LeaveOut, Progress, Rounding, run
@@ -22,7 +22,7 @@ def minkowski_sum_region(
     b: PolygonLike,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),
@@ -52,10 +52,10 @@ def minkowski_sum_region(
 def no_fit_region(
     fixed: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[float] = (0, 0),
+    reference: Iterable[SupportsFloat] = (0, 0),
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),
@@ -85,10 +85,10 @@ def no_fit_region(
 def entrance_region(
     a: PolygonLike,
     b: PolygonLike,
-    a0: Iterable[float] = (0, 0),
+    a0: Iterable[SupportsFloat] = (0, 0),
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),
@@ -109,10 +109,10 @@ def entrance_region(
 def inner_fit_region(
     container: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[float] = (0, 0),
+    reference: Iterable[SupportsFloat] = (0, 0),
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),
@@ -149,7 +149,7 @@ def minkowski_sum_region_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
@@ -163,7 +163,7 @@ def minkowski_sum_region_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
@@ -176,7 +176,7 @@ def minkowski_sum_region_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),
@@ -199,10 +199,10 @@ def minkowski_sum_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = ...,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
@@ -214,10 +214,10 @@ def no_fit_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = ...,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
@@ -228,10 +228,10 @@ def no_fit_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = None,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = None,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     leave_out: LeaveOut = (),

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import byref
-from typing import Any, Optional, SupportsIndex, TypeVar
+from typing import Any, Optional, SupportsFloat, SupportsIndex, TypeVar
 
 from . import _ffi, _structs
 from ._call import Progress
@@ -62,8 +62,8 @@ class Scene(Places):
     def near(
         self,
         moving: PolygonLike,
-        position: Iterable[float],
-        distance: float = 0.0,
+        position: Iterable[SupportsFloat],
+        distance: SupportsFloat = 0.0,
         *,
         layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
@@ -97,7 +97,7 @@ class Scene(Places):
 
     def pairs(
         self,
-        distance: float = 0.0,
+        distance: SupportsFloat = 0.0,
         previous: Optional[PairList] = None,
         *,
         layers: Optional[SupportsIndex] = None,
@@ -136,8 +136,8 @@ class Scene(Places):
 
     def contacts(
         self,
-        distance: float = 0.0,
-        slope: float = 0.0,
+        distance: SupportsFloat = 0.0,
+        slope: SupportsFloat = 0.0,
         previous: Optional[ContactList] = None,
         *,
         layers: Optional[SupportsIndex] = None,

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import byref, c_int32
-from typing import Any, Callable, Optional, SupportsIndex, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsFloat, SupportsIndex, overload
 
 from . import _ffi, _structs
 from ._call import LeaveOut, Progress, Rounding, run
@@ -16,8 +16,12 @@ from ._many import vertices
 from ._polygon import Polygon, as_polygon
 from ._region import Region
 from ._scene_questions import Questions, query_of
-from ._sources import PolygonLike
+from ._sources import PolygonLike, Vector, Vectors
 from ._whole_numbers import WholeNumbers
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
 
 
 class Places(Questions):
@@ -28,7 +32,7 @@ class Places(Questions):
     def free_region(
         self,
         moving: PolygonLike,
-        window: Optional[Iterable[float]] = None,
+        window: Optional[Iterable[SupportsFloat]] = None,
         *,
         layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
@@ -74,7 +78,7 @@ class Places(Questions):
     def best(
         self,
         moving: PolygonLike,
-        direction: Iterable[float],
+        direction: Iterable[SupportsFloat],
         *,
         layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),
@@ -117,7 +121,7 @@ class Places(Questions):
     def penetration(
         self,
         moving: PolygonLike,
-        positions: tuple[float, float] = ...,
+        positions: Vector = ...,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
@@ -130,14 +134,14 @@ class Places(Questions):
     def penetration(
         self,
         moving: PolygonLike,
-        positions: Iterable[Any],
+        positions: Vectors,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
         leave_out: LeaveOut = ...,
-    ) -> Any: ...
+    ) -> numpy.typing.NDArray[numpy.void]: ...
 
     def penetration(
         self,
@@ -187,7 +191,7 @@ class Places(Questions):
             run(call, pairs, rounding, 0, threads, progress, leave_out)
 
 
-def _box_or_none(window: Optional[Iterable[float]]) -> Any:
+def _box_or_none(window: Optional[Iterable[SupportsFloat]]) -> Any:
     """The window as the library takes it; None for none."""
     if window is None:
         return None

@@ -4,9 +4,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from ctypes import c_int8, c_uint64
-from typing import Any, Callable, Optional, SupportsIndex, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, Union, overload
 
 from . import _ffi, _structs
 from ._call import LeaveOut, Progress, run
@@ -14,9 +13,13 @@ from ._contacts import Impact, Relation, Separation, record, records
 from ._many import vertices
 from ._members import Members
 from ._polygon import as_polygon
-from ._sources import PolygonLike
+from ._sources import PolygonLike, Vector, Vectors
 from ._two_polygons import VERTICES_A_PAIR, read_vectors
 from ._whole_numbers import WholeNumbers, ids_of, one_of_layers
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
 
 # A guess of how many members are near to a polygon.
 NEIGHBOURS = 8
@@ -31,7 +34,7 @@ class Questions(Members):
     def relation(
         self,
         moving: PolygonLike,
-        positions: tuple[float, float] = ...,
+        positions: Vector = ...,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
@@ -43,13 +46,13 @@ class Questions(Members):
     def relation(
         self,
         moving: PolygonLike,
-        positions: Iterable[Any],
+        positions: Vectors,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
-    ) -> Any: ...
+    ) -> numpy.typing.NDArray[numpy.int8]: ...
 
     def relation(
         self,
@@ -90,7 +93,7 @@ class Questions(Members):
     def distance(
         self,
         moving: PolygonLike,
-        positions: tuple[float, float] = ...,
+        positions: Vector = ...,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
@@ -102,13 +105,13 @@ class Questions(Members):
     def distance(
         self,
         moving: PolygonLike,
-        positions: Iterable[Any],
+        positions: Vectors,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
-    ) -> Any: ...
+    ) -> numpy.typing.NDArray[numpy.void]: ...
 
     def distance(
         self,
@@ -144,11 +147,11 @@ class Questions(Members):
         )
 
     @overload
-    def cast(
+    def cast(  # type: ignore[overload-overlap]
         self,
         moving: PolygonLike,
-        positions: tuple[float, float],
-        motions: tuple[float, float],
+        positions: Vector,
+        motions: Vector,
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
@@ -160,14 +163,14 @@ class Questions(Members):
     def cast(
         self,
         moving: PolygonLike,
-        positions: Iterable[Any],
-        motions: Iterable[Any],
+        positions: Union[Vector, Vectors],
+        motions: Union[Vector, Vectors],
         *,
         layers: Optional[SupportsIndex] = ...,
         ignore: WholeNumbers = ...,
         threads: int = ...,
         progress: Optional[Progress] = ...,
-    ) -> Any: ...
+    ) -> numpy.typing.NDArray[numpy.void]: ...
 
     def cast(
         self,
@@ -194,8 +197,8 @@ class Questions(Members):
 
         Exact as gcv.cast. Takes gcv.cast for each member whose box the motion meets.
 
-        The other arguments and the errors are those of distance; ValueError where there are
-        not as many positions as motions.
+        The other arguments and the errors are those of distance; InputError also where
+        there are not as many positions as motions.
         """
         return self._answer(
             *(_ffi.scene_cast, _structs.Impact, moving),

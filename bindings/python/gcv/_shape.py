@@ -53,6 +53,10 @@ class Shape:
         The ring is simple and not closed. An array of shape (n, 2), in input units,
         that cannot be written to: every access looks at the same memory, without a
         copy. Where numpy is not installed, a list of pairs.
+
+        Of a Polygon, these are not the points as passed: their order is another one, and
+        repeated points and points on a straight line are dropped. Contacts and sources
+        have the numbers of the points as passed. To look these up, keep the points.
         """
         return array_of(self._doubles)
 

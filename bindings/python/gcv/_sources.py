@@ -9,9 +9,11 @@ these types, be it a shape, a file, a text, or what _coordinates reads.
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
-from typing import Any, Optional, Protocol, Union
+from typing import TYPE_CHECKING, Any, Optional, Protocol, SupportsFloat, Union
 
 from . import _ffi
 from ._coordinates import (
@@ -26,6 +28,9 @@ from ._coordinates import (
 )
 from ._handles import created_of_wkt
 from ._shape import Shape
+
+if TYPE_CHECKING:
+    import numpy
 
 
 class SupportsArrayInterface(Protocol):
@@ -52,9 +57,14 @@ PolygonLike = Union[
     "array[float]",
     "memoryview[Any]",
     Mapping[str, Any],
-    Iterable[Iterable[float]],
+    Iterable[Iterable[SupportsFloat]],
 ]
 """All that Polygon can be made from."""
+
+Vector = Sequence[Union[float, Fraction, Decimal, "numpy.number[Any]"]]
+"""A pair of numbers. These are not all that have a __float__, for arrays have one."""
+Vectors = Union[Iterable[Iterable[SupportsFloat]], SupportsArrayInterface, "memoryview[Any]"]
+"""Many pairs. An array is taken for many: types do not say whether it is one pair."""
 
 
 class SupportsArrowArray(Protocol):
@@ -69,7 +79,16 @@ class SupportsArrowStream(Protocol):
     def __arrow_c_stream__(self, requested_schema: Any = None) -> Any: ...
 
 
-PolygonsLike = Union[Iterable[PolygonLike], SupportsArrowArray, SupportsArrowStream]
+PolygonsLike = Union[
+    Iterable[PolygonLike],
+    str,
+    bytes,
+    Path,
+    SupportsGeoInterface,
+    Mapping[str, Any],
+    SupportsArrowArray,
+    SupportsArrowStream,
+]
 """All that many polygons can be made from; what GeoPandas has is an iterable."""
 
 
@@ -88,6 +107,12 @@ def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
         if geometry is None:
             return created_of_wkt(without_elevations(of_one_part(text)))
         source = geometry
+    if type(source) not in (list, tuple):
+        # Here, for scenes are made of polygons.
+        from ._members import Members
+
+        if isinstance(source, Members):
+            raise unfit("polygon", source, "a polygon but a scene")
     return rings_of(source), None
 
 

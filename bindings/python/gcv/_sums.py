@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import byref
-from typing import Any, Literal, NamedTuple, Optional, Union, overload
+from typing import Any, Literal, NamedTuple, Optional, SupportsFloat, Union, overload
 
 from . import _ffi, _structs
 from ._call import Progress, Rounding, run
@@ -35,7 +35,7 @@ def minkowski_sum(
     b: PolygonLike,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
 ) -> OuterFace:
@@ -83,10 +83,10 @@ def minkowski_sum(
 def no_fit_polygon(
     fixed: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[float] = (0, 0),
+    reference: Iterable[SupportsFloat] = (0, 0),
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
 ) -> OuterFace:
@@ -119,10 +119,10 @@ def no_fit_polygon(
 def entrance_block(
     a: PolygonLike,
     b: PolygonLike,
-    a0: Iterable[float] = (0, 0),
+    a0: Iterable[SupportsFloat] = (0, 0),
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
 ) -> OuterFace:
@@ -151,7 +151,7 @@ def minkowski_sum_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
@@ -164,7 +164,7 @@ def minkowski_sum_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
@@ -176,14 +176,15 @@ def minkowski_sum_many(
     b: PolygonsLike,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     return_errors: bool = False,
 ) -> Any:
     """Many sums in one call: the k-th outer face is that of a[k] + b[k].
 
-    a, b: sequences of whatever Polygon can be made from; or columns, as GeoPandas has them
+    a, b: sequences of whatever Polygon can be made from; collections and text of several
+    polygons, as Polygon.many takes them; or columns, as GeoPandas has them
     (a GeoSeries, a GeoDataFrame, a GeometryArray), or Arrow arrays of geoarrow.polygon,
     geoarrow.multipolygon, geoarrow.wkb or geoarrow.wkt, which take pyarrow. Pairs are made
     by position. The result is a list that is such a column too, see ResultList.
@@ -213,10 +214,10 @@ def minkowski_sum_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = ...,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: Literal[False] = ...,
@@ -227,10 +228,10 @@ def no_fit_polygon_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = ...,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
     *,
     rounding: Rounding = ...,
-    tolerance: float = ...,
+    tolerance: SupportsFloat = ...,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     return_errors: bool,
@@ -240,10 +241,10 @@ def no_fit_polygon_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[float]]] = None,
+    references: Optional[Iterable[Iterable[SupportsFloat]]] = None,
     *,
     rounding: Rounding = "nearest",
-    tolerance: float = 0.0,
+    tolerance: SupportsFloat = 0.0,
     threads: int = 1,
     progress: Optional[Progress] = None,
     return_errors: bool = False,

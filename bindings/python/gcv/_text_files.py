@@ -25,7 +25,7 @@ _ELEVATION = rf"(?:{NUMBER}|nan|NaN)"
 _VERTEX = re.compile(rf"\s*{NUMBER}\s+{NUMBER}(?:\s+{_ELEVATION}){{0,2}}(?=\s*[,)])".encode())
 
 
-class _Text(NamedTuple):
+class Text(NamedTuple):
     """Where the text of a polygon is: that of its rings, which the tag goes before."""
 
     tag: bytes
@@ -38,14 +38,20 @@ def polygons_of_wkt(text: bytes, reading: Reading) -> list[NamedPolygon]:
 
     Collections may have segments and points too, as regions have: these are left out.
     """
-    texts = list(_Reader(text, reading.file).texts())
+    texts = texts_of_wkt(text, reading.file)
     return [
-        _polygon_of_wkt(text, one, name)
+        polygon_of_wkt(text, one, name)
         for one, name in zip(texts, _names(reading.file, len(texts)))
     ]
 
 
-def _polygon_of_wkt(text: bytes, of: _Text, name: str) -> NamedPolygon:
+def texts_of_wkt(text: bytes, file: str) -> list[Text]:
+    """Where the polygons of all geometries of a text are, which messages call by that name."""
+    return list(_Reader(text, file).texts())
+
+
+def polygon_of_wkt(text: bytes, of: Text, name: str) -> NamedPolygon:
+    """The polygon at a place of a text, whose errors have that name."""
     rings = text[of.start : of.stop]
     try:
         return make(name, of.tag + rings)
@@ -67,7 +73,7 @@ class _Reader:
         self._text, self._file = text, file
         self._place = 0
 
-    def texts(self) -> Iterator[_Text]:
+    def texts(self) -> Iterator[Text]:
         """The polygons of all geometries, one after the other."""
         depth = 0  # of collections
         while True:
@@ -78,7 +84,7 @@ class _Reader:
             tag = _TAG.match(self._text, self._place)
             kind = tag["kind"].upper() if tag else b""
             if depth == 0 and kind not in (b"POLYGON", b"GEOMETRYCOLLECTION"):
-                yield _Text(b"", self._place, len(self._text))
+                yield Text(b"", self._place, len(self._text))
                 return
             if not tag:
                 raise self._expected("a geometry")
@@ -91,7 +97,7 @@ class _Reader:
             while depth > 0 and not self._goes_on():
                 depth -= 1
 
-    def _geometry(self, tag: re.Match[bytes]) -> Iterator[_Text]:
+    def _geometry(self, tag: re.Match[bytes]) -> Iterator[Text]:
         """The polygons of a geometry that has just been opened."""
         is_polygon = tag["kind"].upper() == b"POLYGON"
         name = b"POLYGON" + tag["elevation"]
@@ -116,10 +122,10 @@ class _Reader:
             if not self._goes_on():
                 return
 
-    def _polygon(self, name: bytes) -> _Text:
+    def _polygon(self, name: bytes) -> Text:
         start = self._place - 1
         self._place = _closing(self._text, self._place)
-        return _Text(name, start, self._place)
+        return Text(name, start, self._place)
 
     def _vertices(self) -> None:
         while True:
@@ -162,29 +168,32 @@ def polygons_of_geojson(text: bytes, reading: Reading) -> list[NamedPolygon]:
 
     Collections may have other geometries too: these are left out.
     """
-    geometry = read_json(text, reading.file)
-    sources = list(_geometries(geometry, alone=True))
+    sources = list(geometries(read_json(text, reading.file)))
     return [make(name, one) for one, name in zip(sources, _names(reading.file, len(sources)))]
 
 
 _MEMBERS = {"FeatureCollection": "features", "GeometryCollection": "geometries"}
 _WITHOUT_AREA = {"Point", "MultiPoint", "LineString", "MultiLineString"}
+_LISTS = (list, tuple)
 
 
-def _geometries(source: Any, *, alone: bool) -> Iterator[Any]:
-    """The polygons of a source; what is none is given as it is, for whoever reads it."""
+def geometries(source: Any, *, alone: bool = True) -> Iterator[Any]:
+    """The polygons of a source; what is none is given as it is, for whoever reads it.
+
+    alone: whether it is in no collection. What has no area is left out in one.
+    """
     kind = source.get("type") if isinstance(source, Mapping) else None
     if not isinstance(kind, str):
         yield source
         return
     members = source.get(_MEMBERS.get(kind))
-    if isinstance(members, list):
+    if isinstance(members, _LISTS):
         for member in members:
-            yield from _geometries(member, alone=False)
+            yield from geometries(member, alone=False)
     elif kind == "Feature":
         if source.get("geometry") is not None:
-            yield from _geometries(source["geometry"], alone=alone)
-    elif kind == "MultiPolygon" and isinstance(source.get("coordinates"), list):
+            yield from geometries(source["geometry"], alone=alone)
+    elif kind == "MultiPolygon" and isinstance(source.get("coordinates"), _LISTS):
         for rings in source["coordinates"]:
             yield {"type": "Polygon", "coordinates": rings}
     elif alone or kind not in _WITHOUT_AREA:

@@ -5,9 +5,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
 from ctypes import c_int8
-from typing import Any, Callable, Optional, overload
+from typing import TYPE_CHECKING, Any, Callable, Optional, Union, overload
 
 from . import _ffi, _structs
 from ._call import LeaveOut, Progress, run
@@ -15,7 +14,11 @@ from ._contacts import Escape, Impact, Relation, Separation, record, records
 from ._coordinates import point_or_points, size
 from ._many import vertices
 from ._polygon import as_polygon
-from ._sources import PolygonLike
+from ._sources import PolygonLike, Vector, Vectors
+
+if TYPE_CHECKING:
+    import numpy
+    import numpy.typing
 
 # In the time of a pair of vertices in a sum, a translation gets past so many vertices.
 VERTICES_A_PAIR = 16
@@ -25,7 +28,7 @@ VERTICES_A_PAIR = 16
 def relation(
     a: PolygonLike,
     b: PolygonLike,
-    translation: tuple[float, float] = ...,
+    translation: Vector = ...,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
@@ -36,11 +39,11 @@ def relation(
 def relation(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[Any],
+    translation: Vectors,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
-) -> Any: ...
+) -> numpy.typing.NDArray[numpy.int8]: ...
 
 
 def relation(
@@ -83,7 +86,7 @@ def relation(
 def distance(
     a: PolygonLike,
     b: PolygonLike,
-    translation: tuple[float, float] = ...,
+    translation: Vector = ...,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
@@ -94,11 +97,11 @@ def distance(
 def distance(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[Any],
+    translation: Vectors,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
-) -> Any: ...
+) -> numpy.typing.NDArray[numpy.void]: ...
 
 
 def distance(
@@ -129,11 +132,11 @@ def distance(
 
 
 @overload
-def cast(
+def cast(  # type: ignore[overload-overlap]
     a: PolygonLike,
     b: PolygonLike,
-    translation: tuple[float, float],
-    motion: tuple[float, float],
+    translation: Vector,
+    motion: Vector,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
@@ -144,12 +147,12 @@ def cast(
 def cast(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[Any],
-    motion: Iterable[Any],
+    translation: Union[Vector, Vectors],
+    motion: Union[Vector, Vectors],
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
-) -> Any: ...
+) -> numpy.typing.NDArray[numpy.void]: ...
 
 
 def cast(
@@ -176,8 +179,8 @@ def cast(
     hit, contact and relation are exact. The time is rounded down: B does not overlap A
     at translation + time * motion, taken exactly.
 
-    The other arguments and the errors are those of distance; ValueError where there are
-    not as many translations as motions.
+    The other arguments and the errors are those of distance; InputError also where there
+    are not as many translations as motions.
     """
     return _answer(
         *(_ffi.cast, _structs.Impact, a, b),
@@ -190,7 +193,7 @@ def cast(
 def penetration(
     a: PolygonLike,
     b: PolygonLike,
-    translation: tuple[float, float] = ...,
+    translation: Vector = ...,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
@@ -202,12 +205,12 @@ def penetration(
 def penetration(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[Any],
+    translation: Vectors,
     *,
     threads: int = ...,
     progress: Optional[Progress] = ...,
     leave_out: LeaveOut = ...,
-) -> Any: ...
+) -> numpy.typing.NDArray[numpy.void]: ...
 
 
 def penetration(
@@ -270,7 +273,8 @@ def read_vectors(vectors: dict[str, Any]) -> tuple[list[bytes], int, bool]:
     counts = {name: size(doubles) for name, (doubles, is_one) in read.items() if not is_one}
     count = next(iter(counts.values()), 1)
     if len(set(counts.values())) > 1:
-        raise ValueError(" and ".join(f"{name} has {n} pairs" for name, n in counts.items()))
+        found = " and ".join(f"{name} has {n} pairs" for name, n in counts.items())
+        raise _ffi.InputError(_ffi.INVALID_ARGUMENT, found)
     doubles = [doubles * count if is_one else doubles for doubles, is_one in read.values()]
     return doubles, count, not counts
 

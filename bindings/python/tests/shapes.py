@@ -15,6 +15,7 @@ BINDING = Path(__file__).resolve().parents[1]
 REPOSITORY = BINDING.parents[1]
 
 Points = list[tuple[float, float]]
+NOWHERE: Points = []
 
 SQUARE: Points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
 SQUARE_2: Points = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)]

@@ -117,7 +117,7 @@ def cast_one(translation: tuple[float, float], motion: tuple[float, float]) -> A
     ],
 )
 def test_refused(translation: Any, motion: Any, message: str) -> None:
-    with pytest.raises(ValueError, match=f"^{message}"):
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
         gcv.cast(SQUARE, SQUARE, translation, motion)
 
 

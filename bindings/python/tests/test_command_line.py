@@ -110,6 +110,51 @@ def test_free(folder: Path) -> None:
     assert as_json(folder, f"{command} --best 1 0") == {"position": None}
 
 
+def test_free_in_an_empty_scene(folder: Path) -> None:
+    (folder / "sheet.wkt").write_text("POLYGON ((0 0, 9 0, 9 6, 0 6))")
+    region = "MULTIPOLYGON (((0 0, 7 0, 7 4, 0 4, 0 0)))\nGEOMETRYCOLLECTION EMPTY\n"
+    for scene in (
+        *("POLYGON EMPTY", "MULTIPOLYGON EMPTY\nGEOMETRYCOLLECTION EMPTY\n"),
+        *("GEOMETRYCOLLECTION (POINT (1 1))", "GEOMETRYCOLLECTION EMPTY"),
+        *('{"type": "FeatureCollection", "features": []}',),
+        *('{"type": "MultiPolygon", "coordinates": []}',),
+        *('{"type": "Feature", "properties": {}, "geometry": null}',),
+    ):
+        command = "free - peg.wkt --container sheet.wkt"
+        assert output(folder, command, scene) == region
+        assert output(folder, f"{command} --best -1 0", scene) == "0 0\n"
+        assert output(folder, f"{command} --svg out.svg", scene) == region
+        window = output(folder, "free - peg.wkt --window 1 1 2 2", scene)
+        assert window.startswith("MULTIPOLYGON (((1 1, 2 1, 2 2, 1 2, 1 1)))\n")
+        for command in ("sum - peg.wkt", "free peg.wkt peg.wkt --container -", "free peg.wkt -"):
+            words = [*command.split(), *(["--window", "0", "0", "1", "1"] * ("free" in command))]
+            run = run_program(folder, *words, text=scene)
+            assert failure(run, 1) == "gcv: standard input: there is no polygon in this file\n"
+    for nothing in ("", " \n", '<svg xmlns="http://www.w3.org/2000/svg"/>', "LINESTRING EMPTY"):
+        run = run_program(
+            folder, *["free", "-", "peg.wkt", "--container", "sheet.wkt"], text=nothing
+        )
+        assert failure(run, 1).startswith("gcv: standard input: ")
+
+
+def test_nesting_from_nothing(folder: Path) -> None:
+    run = run_shell(
+        folder,
+        """
+        echo 'POLYGON ((0 0, 5 0, 5 3, 0 3))' > sheet.wkt
+        echo 'MULTIPOLYGON EMPTY' > placed.wkt
+        for part in 1 2 3; do
+          read x y < <(gcv free placed.wkt peg.wkt --container sheet.wkt --best -1 0)
+          echo $x $y
+          [ "$x" = nothing ] && break
+          to="$((x + 2)) $((y + 2))"
+          echo "POLYGON (($x $y, ${to% *} $y, $to, $x ${to#* }))" >> placed.wkt
+        done
+        """,
+    )
+    assert run.stdout == "0 0\n2 0\nnothing is free\n"
+
+
 def test_questions(folder: Path) -> None:
     assert output(folder, "relation slot.wkt peg.wkt --at 2 2") == "touching\n"
     assert output(folder, "distance slot.wkt peg.wkt --at 9 0") == "3\n"
@@ -218,6 +263,8 @@ def test_simplify(folder: Path) -> None:
 def test_exact(folder: Path) -> None:
     text = output(folder, "sum a.wkt b.wkt --format exact")
     assert text == "POLYGON ((0 0, 9 0, 9 6, 8 7, 10/3 7/3, 1 7, 0 8, 0 0))\n"
+    run = run_program(folder, "sum", "-", "b.wkt", text=text)
+    assert failure(run, 1).startswith("gcv: standard input: polygon: byte 32: expected")
     assert output(folder, "nfp slot.wkt peg.wkt --region --format exact") == (
         output(folder, "nfp slot.wkt peg.wkt --region")
     )

@@ -43,6 +43,35 @@ def test_values_that_options_refuse(folder: Path, command: str, reason: str) -> 
     assert reason in failure(run_program(folder, *command.split()), 2)
 
 
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("-V", "gcv: error: unrecognized arguments: -V\n"),
+        ("-1 b.wkt", "gcv: error: unrecognized arguments: -1\n"),
+        ("--verison", "gcv: error: unrecognized arguments: --verison; did you mean --version?\n"),
+        (
+            "--treads=2 a.wkt b.wkt",
+            "gcv: error: unrecognized arguments: --treads=2; did you mean --threads?\n",
+        ),
+        (
+            "nfp a.wkt b.wkt --regoin --nosuch",
+            "gcv nfp: error: unrecognized arguments: --regoin --nosuch; did you mean --region?\n",
+        ),
+        ("summ a.wkt b.wkt", "gcv: error: there is no command 'summ'; did you mean sum?\n"),
+        ("innerfit a.wkt b.wkt", "'innerfit'; did you mean inner-fit?\n"),
+        ("xyz", "gcv: error: there is no command 'xyz'; choose from sum, nfp, inner-fit, "),
+        ("a.wkt --regoin", "gcv sum: error: "),
+        ("-o out.wkt a.wkt", "gcv sum: error: "),
+        ("-oout.wkt a.wkt", "gcv sum: error: "),
+        ("--threads=2 a.wkt", "gcv sum: error: "),
+        ("- -", "gcv sum: error: "),
+        ("-- a.wkt", "gcv sum: error: "),
+    ],
+)
+def test_words_that_are_misspelt(folder: Path, command: str, reason: str) -> None:
+    assert reason in failure(run_program(folder, *command.split()), 2)
+
+
 def test_missing_files(folder: Path) -> None:
     for words in (["none.wkt", "b.wkt"], ["sum", "b.wkt", "none.wkt"]):
         run = run_program(folder, *words)

@@ -81,6 +81,20 @@ def test_holes() -> None:
     assert all(contact.a >= 4 for contact in contacts)
 
 
+def test_numbers_are_those_of_the_points_as_passed() -> None:
+    outer = [(0, 0), (5, 0), (10, 0), (10, 10), (0, 10), (0, 0)]
+    hole = [(8, 8), (8, 5), (8, 2), (8, 2), (2, 2), (2, 8)]
+    points = [*outer, *hole]
+    plate = gcv.Polygon(outer, [hole])
+    corners = gcv.contacts(plate, SQUARE, (10, 10))
+    assert {points[c.a] for c in corners if c.kind is ContactKind.VERTEX_VERTEX} == {(10, 10)}
+    contacts = gcv.contacts(plate, box(0, 0, 6, 6), (2, 2))
+    assert {(c.a, points[c.a]) for c in contacts if c.kind is ContactKind.EDGE_VERTEX} == {
+        *((6, (8, 8)), (9, (8, 2)), (10, (2, 2)), (11, (2, 8)))
+    }
+    assert len(plate.vertices) + len(plate.holes[0]) == 8
+
+
 def test_order() -> None:
     contacts = gcv.contacts(SQUARE, TRIANGLE, (0.25, 1.125), 2)
     order = [(abs(contact.gap), *contact[:3]) for contact in contacts]

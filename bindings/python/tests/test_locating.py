@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 import shapely
-from shapes import NOTCHED, ROOMS, SQUARE, SQUARE_2, TRIANGLE
+from shapes import NOTCHED, NOWHERE, ROOMS, SQUARE, SQUARE_2, TRIANGLE
 
 import gcv
 
@@ -41,7 +41,8 @@ def test_locate(pickled: bool) -> None:
     for where, place in PLACES.items():
         assert region.locate(where) is place
         assert region.locate(list(where)) is place
-        assert region.locate(np.array(where)) is place
+        one: Any = np.array(where)
+        assert region.locate(one) is place
     sources: list[Any] = [list(PLACES), np.array(list(PLACES)), iter(PLACES)]
     for source in sources:
         places = region.locate(source)
@@ -49,7 +50,7 @@ def test_locate(pickled: bool) -> None:
         assert places.tolist() == list(PLACES.values())
     assert region.locate(np.array([[5, 5], [6, 3]])).tolist() == [1, 0]
     assert (region.locate([(5, 5), (6, 3)]) == gcv.INSIDE).tolist() == [True, False]
-    assert region.locate([]).shape == region.locate(np.empty((0, 2))).shape == (0,)
+    assert region.locate(NOWHERE).shape == region.locate(np.empty((0, 2))).shape == (0,)
     assert region.locate(np.full((7, 9), 6.0)[::3, ::8]).tolist() == [1, 1, 1]
 
 

@@ -143,7 +143,7 @@ def test_disc(radius: float, share: float, offset: tuple[float, float], outward:
 
 
 def test_disc_is_a_polygon_like_others() -> None:
-    disc = gcv.Polygon.disc(np.array([1, 2]), 5, Fraction(1, 100))  # type: ignore[arg-type]
+    disc = gcv.Polygon.disc(np.array([1, 2]), 5, Fraction(1, 100))
     assert disc == gcv.Polygon(disc.vertices)
     again = pickle.loads(pickle.dumps(disc))
     assert (again + disc).sources == (disc + disc).sources

@@ -112,7 +112,7 @@ HUGE_NUMBER = 10**5000
         ),
         (shapely.MultiPolygon(), "a MultiPolygon of 0 parts is not one polygon"),
         ({"coordinates": SQUARE}, "{'coordinates': .*} is not a geometry"),
-        ({"type": "Polygon"}, "None in a geometry is not a list"),
+        ({"type": "Polygon"}, "a Polygon without coordinates is not a polygon"),
         ({"type": "Polygon", "coordinates": [5]}, "5 is not a polygon, .*"),
         ({"type": "Polygon", "coordinates": [[5]]}, "vertex 0: 5 is not a pair of numbers"),
         (

@@ -239,7 +239,7 @@ def test_polygon_of_an_unknown_id() -> None:
 def test_refused_members(arguments: Any, message: str) -> None:
     scene = three()
     before = state(scene)
-    with pytest.raises(ValueError, match=f"^{message}"):
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
         scene.add(*arguments)
     assert state(scene) == before
     assert scene.add(BLOCK) == 5
@@ -277,7 +277,7 @@ def test_refused_changes(arguments: Any, message: str) -> None:
 def test_numbers_that_differ(arguments: Any, message: str) -> None:
     scene = three()
     before = state(scene)
-    with pytest.raises(ValueError, match=f"^{message}"):
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
         scene.set(*arguments)
     assert state(scene) == before
 
@@ -295,7 +295,7 @@ def test_numbers_that_differ(arguments: Any, message: str) -> None:
 def test_refused_layers(layers: Any, message: str) -> None:
     scene = three()
     before = state(scene)
-    with pytest.raises(ValueError, match=f"^{message}"):
+    with pytest.raises(gcv.InputError, match=f"^{message}"):
         scene.set_layers([2, 3], layers)
     assert state(scene) == before
 

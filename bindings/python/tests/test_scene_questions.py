@@ -10,7 +10,7 @@ from typing import Any, Callable
 import numpy as np
 import pytest
 import shapely
-from shapes import BOW_TIE, FRAME, HUGE, SQUARE, SQUARE_2, TRIANGLE, box
+from shapes import BOW_TIE, FRAME, HUGE, NOWHERE, SQUARE, SQUARE_2, TRIANGLE, box
 
 import gcv
 from gcv import ContactKind
@@ -46,7 +46,7 @@ def test_relation() -> None:
     assert relations.tolist() == list(places.values())
     assert scene.relation(BLOCK) is gcv.OVERLAPPING
     assert scene.relation(shapely.box(1, 0, 2, 1)) is gcv.TOUCHING
-    assert scene.relation(BLOCK, []).shape == (0,)
+    assert scene.relation(BLOCK, NOWHERE).shape == (0,)
     assert scene.relation(BLOCK, list(places), threads=2).tolist() == list(places.values())
 
 
@@ -137,8 +137,8 @@ def test_cast_of_many() -> None:
     assert impacts["time"].tolist() == [scene.cast(BLOCK, s, (0, -8)).time for s in starts]
     turned = scene.cast(BLOCK, (1, 5), np.array([(0, -8), (1, -8), (9, 0)]))
     assert turned["hit"].tolist() == [0, 1, 0]
-    assert scene.cast(BLOCK, [], (0, 1)).shape == (0,)
-    with pytest.raises(ValueError, match=r"^positions has 3 pairs and motions has 2 pairs$"):
+    assert scene.cast(BLOCK, NOWHERE, (0, 1)).shape == (0,)
+    with pytest.raises(gcv.InputError, match=r"^positions has 3 pairs and motions has 2 pairs$"):
         scene.cast(BLOCK, starts, [(0, 0)] * 2)
 
 
