@@ -94,6 +94,20 @@ Pair combs() {
   return {polygon, polygon};
 }
 
+// Of hundreds of superset edges only the ends lie on the border of the sum, which is a rectangle.
+Pair uneven_combs() {
+  Random random(7);
+  Polygon polygon = comb(40, 1, 1, 7);
+  std::vector<double> shifts(81);
+  for (std::size_t k = 1; k < shifts.size(); ++k) {
+    shifts[k] = shifts[k - 1] + uniform(random, 0, 1000) / 65536.0;
+  }
+  for (auto& [x, y] : polygon) {
+    x += shifts.at(static_cast<std::size_t>(x));
+  }
+  return {polygon, polygon};
+}
+
 Pair coasts() {
   Random random(2);
   const Polygon polygon = coast(random, 75);
@@ -140,11 +154,10 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"coast_and_convex", coast_and_convex}};
 
 // Their whole regions.
-const std::map<std::string, std::function<Pair()>> region_cases{{"region_of_parts", parts},
-                                                                {"region_of_stars", stars},
-                                                                {"region_of_coasts", coasts},
-                                                                {"region_of_key", key_in_slot},
-                                                                {"region_of_keyholes", keyholes}};
+const std::map<std::string, std::function<Pair()>> region_cases{
+    {"region_of_parts", parts},        {"region_of_stars", stars},
+    {"region_of_coasts", coasts},      {"region_of_key", key_in_slot},
+    {"region_of_combs", uneven_combs}, {"region_of_keyholes", keyholes}};
 
 void require(gcv_status status) {
   if (status != GCV_OK) {
