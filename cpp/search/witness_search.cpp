@@ -303,6 +303,15 @@ void WitnessSearch::approach(double from, double to) {
   next_near_ = 0;
 }
 
+void WitnessSearch::approach_further(double to) {
+  const auto rest =
+      std::stable_partition(near_pairs_.begin(), near_pairs_.end(),
+                            [&](const NearPair& p) { return !(p.near.from > approached_.to); });
+  next_near_ = static_cast<std::size_t>(rest - near_pairs_.begin());
+  activate(to);
+  approached_.to = to;
+}
+
 void WitnessSearch::prefer_last_witness() {
   for (std::size_t k = next_; k < queue_.size(); ++k) {
     if (queue_[k].nodes.a == last_nodes_.a && queue_[k].nodes.b == last_nodes_.b) {

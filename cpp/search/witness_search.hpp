@@ -43,6 +43,8 @@ class WitnessSearch {
   // with a parameter from `from` to `to`. These never go back. Of pairs with equal sums, their
   // solid sides and the edges before them the same, too, some are left out, but not the first.
   void approach(double from, double to);
+  // The same up to a later parameter, without those pairs that were given.
+  void approach_further(double to);
   // Of these pairs, first searches for those in the last witness: the parallelogram that the line
   // leaves where that ends is one of them, as a rule.
   void prefer_last_witness();

@@ -10,6 +10,13 @@
 
 namespace gcv {
 
+namespace {
+
+// Of an edge, the part that is searched first for where what is free ends.
+constexpr double least_part_ahead = 0x1p-9;
+
+}  // namespace
+
 double EdgeCover::parameter_of(const RelativeLine& line, const Place& place) const {
   double t = 0;
   if (place.is_sum) {
@@ -317,7 +324,6 @@ std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const Re
 
 Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& line,
                              const Place& place, bool right_is_free) {
-  search_.approach(parameters_of(line, place).lo, 2);
   Place first = places.end();
   const auto come = [&](const Place& change) {
     if (places.compare(change, first) < 0) {
@@ -325,15 +331,15 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     }
   };
   std::optional<Place> germ_exit;
-  while (const std::optional<WitnessSearch::Pair> pair = next_pair()) {
-    for_each_slide(places, *pair, [&](const Slide& slide) {
+  const auto meet = [&](const WitnessSearch::Pair& pair) {
+    for_each_slide(places, pair, [&](const Slide& slide) {
       if (places.compare(Place::of(slide.from), place) > 0) {
         come(Place::of(slide.from));
       }
     });
-    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair->i, pair->j);
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, pair.i, pair.j);
     if (!sides) {
-      continue;
+      return;
     }
     bool holds_germ = true;
     bool is_right = true;  // does it hold the germ between its entry and its exit?
@@ -362,17 +368,32 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
       germ_exit = exit;
     }
     if (!entry || places.compare(*entry, exit) >= 0) {
-      continue;
+      return;
     }
     const int order = places.compare(*entry, place);
     if ((holds_places && order >= 0) || (right_is_free && is_right && order > 0)) {
       come(*entry);
     }
+  };
+  // What begins further ahead than the first change does not matter.
+  const double from = parameters_of(line, place).lo;
+  double ahead = least_part_ahead;
+  double to = (from > 0 ? from : 0) + ahead;  // `from` is not finite where nothing is certain
+  search_.approach(from, to);
+  while (true) {
+    while (const std::optional<WitnessSearch::Pair> pair = next_pair()) {
+      meet(*pair);
+    }
+    if (germ_exit) {
+      come(*germ_exit);  // the last one: what holds the germ is near
+    }
+    if (to > 1 || parameters_of(line, first).hi < to) {
+      return first;
+    }
+    ahead *= 8;
+    to += ahead;
+    search_.approach_further(to);
   }
-  if (germ_exit) {
-    come(*germ_exit);
-  }
-  return first;
 }
 
 }  // namespace gcv
