@@ -200,8 +200,10 @@ RoundedRegion island_inward(const ExactRegion& island, const RegionWithSquare& f
   }
   const Box box = box_of(std::span<const Point>(nearest.vertices));
   RoundedRegion nothing;
-  nothing.error_bound =
-      sum_bound(nearest.error_bound, length_bound(box.x1 - box.x0, box.y1 - box.y0));
+  // Both ends of the extents are off by as much as any vertex, in each coordinate.
+  const double error = nearest.error_bound;
+  nothing.error_bound = sum_bound(sum_bound(error, error),
+                                  sum_bound(error, length_bound(box.x1 - box.x0, box.y1 - box.y0)));
   nothing.parts_dropped = island.parts.size();
   return nothing;
 }

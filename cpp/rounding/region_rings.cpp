@@ -34,13 +34,177 @@ PointVector reversed(PointVector ring) {
   return ring;
 }
 
+PointVector ring_of(const RegionRings& rings, const RoundingRing& ring) {
+  return ring.replaced ? *ring.replaced : snap(rings.places_of(*ring.part)).vertices;
+}
+
+// Of the rings that are left.
+std::vector<PointVector> rings_left(RegionRings& rings, std::vector<RoundingRing*>& left,
+                                    Pace& pace) {
+  std::vector<PointVector> points;
+  for (RoundingRing& ring : rings.rings) {
+    if (!ring.is_dropped) {
+      pace.step(8 * ring.part->size);
+      left.push_back(&ring);
+      points.push_back(ring_of(rings, ring));
+    }
+  }
+  return points;
+}
+
+// With its holes, if it has any.
+void drop(RegionRings& rings, RoundingRing& ring) {
+  ring.is_dropped = true;
+  ++rings.dropped;
+  const std::span<const Point> nearest = rings.nearest;
+  rings.lost = std::max(rings.lost, extents_of(nearest.subspan(ring.part->first, ring.part->size)));
+  if (ring.part->kind == PartKind::outer) {
+    for (RoundingRing& hole : rings.rings) {
+      if (!hole.is_dropped && hole.part->polygon == ring.part->polygon) {
+        drop(rings, hole);
+      }
+    }
+  }
+}
+
+bool holds(const Box& box, const Point& p) {
+  return p.x >= box.x0 && p.x <= box.x1 && p.y >= box.y0 && p.y <= box.y1;
+}
+
+// Is the point inside the ring? Nothing if it lies on the ring.
+std::optional<bool> is_inside(const PointVector& ring, const Point& p, Tally& tally) {
+  bool inside = false;
+  for (std::size_t k = 0; k < ring.size(); ++k) {
+    const Point& from = ring[k];
+    const Point& to = ring[cyclic_next(k, ring.size())];
+    const int side = orientation(from, to, p, tally);
+    if (side == 0 && holds(box_of(from, to), p)) {
+      return std::nullopt;
+    }
+    if ((from.y > p.y) != (to.y > p.y)) {
+      inside = inside != ((side > 0) == (to.y > p.y));
+    }
+  }
+  return inside;
+}
+
+// Rings that do not cross can have come to lie on the wrong side of each other, where they are thin
+// and close together.
+class NestingCheck {
+ public:
+  NestingCheck(RegionRings& rings, Tally& tally) : rings_(rings), tally_(tally) {}
+
+  // Drops what lies there.
+  void run() {
+    std::vector<RoundingRing*> left;
+    const double moved = std::max(rings_.furthest, rings_.displaced);
+    const bool are_near =
+        are_rings_near(rings_left(rings_, left, pace_), 2 * sum_bound(rings_.error_bound, moved));
+    for (RoundingRing* const outer : left) {
+      if (are_near && outer->part->kind == PartKind::outer && !outer->is_dropped) {
+        drop_misplaced_holes(*outer);
+      }
+    }
+    if (are_near || rings_.dropped > 0) {
+      drop_nested();
+    }
+  }
+
+ private:
+  // Polygons that have come to lie in the inside of another one, or do where a hole was dropped:
+  // there an odd number of rings of others lies round them.
+  void drop_nested() {
+    std::vector<RoundingRing*> left;
+    const std::vector<PointVector> points = rings_left(rings_, left, pace_);
+    std::vector<Box> boxes;
+    for (const PointVector& ring : points) {
+      boxes.push_back(box_of(ring));
+    }
+    // Of a point of ring r. Nothing if it lies on another ring.
+    const auto is_in_other = [&](std::size_t r, const Point& p) -> std::optional<bool> {
+      bool is_odd = false;
+      for (std::size_t k = 0; k < left.size(); ++k) {
+        pace_.step();
+        if (left[k]->is_dropped || left[k]->part->polygon == left[r]->part->polygon ||
+            !holds(boxes[k], p)) {
+          continue;
+        }
+        pace_.step(points[k].size());
+        const std::optional<bool> inside = is_inside(points[k], p, tally_);
+        if (!inside) {
+          return std::nullopt;
+        }
+        is_odd = is_odd != *inside;
+      }
+      return is_odd;
+    };
+    const auto is_nested = [&](std::size_t r) {
+      for (const Point& p : points[r]) {
+        if (const std::optional<bool> result = is_in_other(r, p)) {
+          return *result;
+        }
+      }
+      return false;
+    };
+    for (std::size_t r = 0; r < left.size(); ++r) {
+      RoundingRing& ring = *left[r];
+      if (ring.part->kind == PartKind::outer && !ring.is_fixed && !ring.is_dropped &&
+          is_nested(r)) {
+        drop(rings_, ring);
+      }
+    }
+  }
+
+  void drop_misplaced_holes(const RoundingRing& outer) {
+    std::vector<RoundingRing*> holes;
+    for (RoundingRing& ring : rings_.rings) {
+      if (!ring.is_dropped && ring.part->kind == PartKind::hole &&
+          ring.part->polygon == outer.part->polygon) {
+        holes.push_back(&ring);
+      }
+    }
+    if (holes.empty() || is_polygon(outer, holes)) {
+      return;
+    }
+    std::vector<RoundingRing*> good;
+    for (RoundingRing* const hole : holes) {
+      good.push_back(hole);
+      if (!is_polygon(outer, good)) {
+        good.pop_back();
+        drop(rings_, *hole);
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_polygon(const RoundingRing& outer,
+                                const std::vector<RoundingRing*>& holes) const {
+    std::vector<PointVector> boundaries{ring_of(rings_, outer)};
+    for (const RoundingRing* const hole : holes) {
+      boundaries.push_back(ring_of(rings_, *hole));
+    }
+    try {
+      static_cast<void>(make_polygon(std::move(boundaries), "polygon"));
+      return true;
+    } catch (const Error& error) {
+      if (error.status() == Status::not_simple || error.status() == Status::degenerate) {
+        return false;
+      }
+      throw;
+    }
+  }
+
+  RegionRings& rings_;
+  Tally& tally_;
+  Pace pace_;
+};
+
 class Validator {
  public:
   Validator(RegionRings& rings, Tally& tally) : rings_(rings), tally_(tally) {}
 
   void run() {
     for (RoundingRing& ring : rings_.rings) {
-      if (!ring.is_fixed) {
+      if (!ring.is_fixed && !ring.is_dropped) {
         pace_.step(16 * ring.part->size);
         widen(ring);
       }
@@ -48,25 +212,10 @@ class Validator {
     if (!are_apart_rings() && !separate_rings()) {
       drop_conflicting();
     }
-    drop_misplaced();
+    NestingCheck(rings_, tally_).run();
   }
 
  private:
-  [[nodiscard]] PointVector ring_of(const RoundingRing& ring) const {
-    return ring.replaced ? *ring.replaced : snap(rings_.places_of(*ring.part)).vertices;
-  }
-  // Of the rings that are left.
-  [[nodiscard]] std::vector<PointVector> rings_left(std::vector<RoundingRing*>& left) {
-    std::vector<PointVector> points;
-    for (RoundingRing& ring : rings_.rings) {
-      if (!ring.is_dropped) {
-        pace_.step(8 * ring.part->size);
-        left.push_back(&ring);
-        points.push_back(ring_of(ring));
-      }
-    }
-    return points;
-  }
   [[nodiscard]] static bool is_turned_right(const RoundingRing& ring, const PointVector& points) {
     return is_counter_clockwise(points) == (ring.part->kind == PartKind::outer);
   }
@@ -74,7 +223,7 @@ class Validator {
   // Do rings neither cross themselves nor each other, and turn as they are to?
   bool are_apart_rings() {
     std::vector<RoundingRing*> left;
-    const std::vector<PointVector> points = rings_left(left);
+    const std::vector<PointVector> points = rings_left(rings_, left, pace_);
     for (std::size_t k = 0; k < left.size(); ++k) {
       if (!is_turned_right(*left[k], points[k])) {
         return false;
@@ -111,7 +260,7 @@ class Validator {
       }
       place = old;
     }
-    drop(ring);
+    drop(rings_, ring);
   }
 
   // The doubles next to a point.
@@ -163,19 +312,6 @@ class Validator {
     return true;
   }
 
-  void drop(RoundingRing& ring) {
-    ring.is_dropped = true;
-    ++rings_.dropped;
-    rings_.lost = std::max(rings_.lost, extents_of(rings_.places_of(*ring.part)));
-    if (ring.part->kind == PartKind::outer) {
-      for (RoundingRing& hole : rings_.rings) {
-        if (!hole.is_dropped && hole.part->polygon == ring.part->polygon) {
-          drop(hole);
-        }
-      }
-    }
-  }
-
   // Drops the smallest rings that are in the way, until none is. A ring that crosses itself is
   // replaced by its largest part first.
   void drop_conflicting() {
@@ -186,7 +322,7 @@ class Validator {
     }
     while (true) {
       std::vector<RoundingRing*> left;
-      const std::vector<PointVector> points = rings_left(left);
+      const std::vector<PointVector> points = rings_left(rings_, left, pace_);
       const std::vector<RingConflict> conflicts = find_ring_conflicts(points);
       RoundingRing* smallest = nullptr;
       double least = 0;
@@ -202,7 +338,7 @@ class Validator {
       if (smallest == nullptr) {
         return;
       }
-      drop(*smallest);
+      drop(rings_, *smallest);
     }
   }
 
@@ -210,71 +346,19 @@ class Validator {
     const PointVector points = snap(rings_.places_of(*ring.part)).vertices;
     if (!find_conflict(points)) {
       if (!is_turned_right(ring, points)) {
-        drop(ring);
+        drop(rings_, ring);
       }
       return;
     }
     const std::optional<SnapRoundedRing> snapped = snap_round(points, tally_);
     if (!snapped) {
-      drop(ring);
+      drop(rings_, ring);
       return;
     }
     ring.replaced = ring_through(ring.part->kind == PartKind::outer ? snapped->vertices
                                                                     : reversed(snapped->vertices));
     rings_.displaced = std::max(rings_.displaced, snapped->error_bound);
     rings_.repaired += ring.replaced->size();
-  }
-
-  // Rings that do not cross can have come to lie on the wrong side of each other, where they are
-  // thin and close together.
-  void drop_misplaced() {
-    std::vector<RoundingRing*> left;
-    if (!are_rings_near(rings_left(left), 2 * sum_bound(rings_.error_bound, rings_.furthest))) {
-      return;
-    }
-    for (RoundingRing* const outer : left) {
-      if (outer->part->kind == PartKind::outer && !outer->is_dropped) {
-        drop_misplaced_holes(*outer);
-      }
-    }
-  }
-
-  void drop_misplaced_holes(const RoundingRing& outer) {
-    std::vector<RoundingRing*> holes;
-    for (RoundingRing& ring : rings_.rings) {
-      if (!ring.is_dropped && ring.part->kind == PartKind::hole &&
-          ring.part->polygon == outer.part->polygon) {
-        holes.push_back(&ring);
-      }
-    }
-    if (holes.empty() || is_polygon(outer, holes)) {
-      return;
-    }
-    std::vector<RoundingRing*> good;
-    for (RoundingRing* const hole : holes) {
-      good.push_back(hole);
-      if (!is_polygon(outer, good)) {
-        good.pop_back();
-        drop(*hole);
-      }
-    }
-  }
-
-  [[nodiscard]] bool is_polygon(const RoundingRing& outer,
-                                const std::vector<RoundingRing*>& holes) const {
-    std::vector<PointVector> boundaries{ring_of(outer)};
-    for (const RoundingRing* const hole : holes) {
-      boundaries.push_back(ring_of(*hole));
-    }
-    try {
-      static_cast<void>(make_polygon(std::move(boundaries), "polygon"));
-      return true;
-    } catch (const Error& error) {
-      if (error.status() == Status::not_simple || error.status() == Status::degenerate) {
-        return false;
-      }
-      throw;
-    }
   }
 
   RegionRings& rings_;

@@ -150,8 +150,10 @@ class RegionRounder {
     add_fits(rounded);
     rounded.displacement =
         sum_bound(rings_.error_bound, std::max(rings_.furthest, rings_.displaced));
-    rounded.error_bound =
-        std::max(rounded.displacement, sum_bound(rings_.error_bound, rings_.lost));
+    // Both ends of what was dropped are off by as much as any vertex, in each coordinate.
+    const double error = rings_.error_bound;
+    const double lost = sum_bound(sum_bound(error, error), sum_bound(error, rings_.lost));
+    rounded.error_bound = std::max(rounded.displacement, rings_.dropped > 0 ? lost : 0.0);
     rounded.vertices_repaired = rings_.repaired;
     rounded.parts_dropped = rings_.dropped;
     return rounded;

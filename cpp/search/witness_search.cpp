@@ -304,10 +304,12 @@ void WitnessSearch::approach(double from, double to) {
 }
 
 void WitnessSearch::approach_further(double to) {
-  const auto rest =
-      std::stable_partition(near_pairs_.begin(), near_pairs_.end(),
-                            [&](const NearPair& p) { return !(p.near.from > approached_.to); });
-  next_near_ = static_cast<std::size_t>(rest - near_pairs_.begin());
+  next_near_ = 0;
+  for (NearPair& p : near_pairs_) {
+    if (!(p.near.from > approached_.to)) {
+      std::swap(p, near_pairs_[next_near_++]);
+    }
+  }
   activate(to);
   approached_.to = to;
 }

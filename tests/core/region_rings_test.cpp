@@ -19,15 +19,25 @@ PointVector hole(double x, double y, double size) {
   return {{x, y}, {x, y + size}, {x + size, y + size}, {x + size, y}};
 }
 
-// One polygon, rounded to these rings. They may be off by as much as they are large.
+// In its second vertex.
+bool is_turned_left(const PointVector& ring) {
+  const Point& p = ring[1];
+  return (p.x - ring[0].x) * (ring[2].y - p.y) > (p.y - ring[0].y) * (ring[2].x - p.x);
+}
+
+// Rounded to these rings: a polygon with its holes, then the next one. They may be off by as much
+// as they are large.
 struct Rounded {
   ExactRegion region{};
   RegionRings rings{region};
 
   explicit Rounded(const std::vector<PointVector>& points) {
+    Index polygon = RegionPart::no_polygon;
     for (const PointVector& ring : points) {
-      const PartKind kind = region.parts.empty() ? PartKind::outer : PartKind::hole;
-      region.parts.push_back({kind, 0, rings.places.size(), ring.size()});
+      const bool is_outer = region.parts.empty() || is_turned_left(ring);
+      polygon += is_outer ? 1 : 0;
+      const PartKind kind = is_outer ? PartKind::outer : PartKind::hole;
+      region.parts.push_back({kind, polygon, rings.places.size(), ring.size()});
       rings.places.insert(rings.places.end(), ring.begin(), ring.end());
     }
     for (const RegionPart& part : region.parts) {
@@ -82,6 +92,46 @@ TEST(RegionRings, TheSmallestThatIsInTheWayIsDroppedUnlessItIsFixed) {
   fixed.rings.rings.back().replaced = hole(0.5, 0.5, 0.25);
   make_valid(fixed.rings, tally);
   EXPECT_EQ(fixed.dropped(), (std::vector{false, true, false}));
+}
+
+TEST(RegionRings, PolygonsInsideOfOthersAreDropped) {
+  Tally tally;
+  Rounded islands({square(0, 0, 10), hole(1, 1, 5), square(2, 2, 1), square(7, 7, 1),
+                   square(12, 0, 9), hole(13, 1, 5), square(14, 2, 3), hole(15, 3, 1)});
+  make_valid(islands.rings, tally);
+  EXPECT_EQ(islands.dropped(),
+            (std::vector{false, false, false, true, false, false, false, false}));
+  // It touches the other one from inside, and has a hole.
+  const PointVector touching{{0, 5}, {6, 1}, {6, 9}};
+  Rounded inside({square(0, 0, 10), touching, hole(4, 4, 1), square(-4, 0, 3)});
+  make_valid(inside.rings, tally);
+  EXPECT_EQ(inside.dropped(), (std::vector{false, true, true, false}));
+  // What lies in a hole that was dropped.
+  Rounded filled({square(0, 0, 30), hole(1, 1, 5), hole(4, 4, 9), square(2, 2, 1)});
+  filled.rings.rings.back().replaced = square(2, 2, 1);
+  filled.rings.error_bound = 0x1p-60;
+  make_valid(filled.rings, tally);
+  EXPECT_EQ(filled.dropped(), (std::vector{false, true, false, true}));
+  EXPECT_EQ(filled.rings.dropped, 2U);
+}
+
+// By the nearest doubles, wherever its vertices were moved.
+TEST(RegionRings, WhatIsLostIsMeasuredWhereItWas) {
+  Tally tally;
+  Rounded outside({square(0, 0, 10), hole(11, 1, 3)});
+  for (std::size_t k = 4; k < 8; ++k) {
+    outside.rings.nearest[k] = {2 * outside.rings.nearest[k].x, 2 * outside.rings.nearest[k].y};
+  }
+  make_valid(outside.rings, tally);
+  EXPECT_GE(outside.rings.lost, 6 * 1.4142);
+}
+
+TEST(RegionRings, AHoleThatIsDroppedWithItsPolygonCountsOnce) {
+  Tally tally;
+  Rounded flat({{{1, 1}, {1, 1}, {1, 1}}, {{1, 1}, {1, 1}, {1, 1}}});
+  make_valid(flat.rings, tally);
+  EXPECT_EQ(flat.dropped(), (std::vector{true, true}));
+  EXPECT_EQ(flat.rings.dropped, 2U);
 }
 
 TEST(RegionRings, SegmentsAreWidenedByAUnit) {
