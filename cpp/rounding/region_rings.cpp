@@ -117,6 +117,7 @@ class NestingCheck {
     std::vector<RoundingRing*> left;
     const std::vector<PointVector> points = rings_left(rings_, left, pace_);
     std::vector<Box> boxes;
+    boxes.reserve(points.size());
     for (const PointVector& ring : points) {
       boxes.push_back(box_of(ring));
     }
