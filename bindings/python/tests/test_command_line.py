@@ -1,6 +1,6 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The program gcv: its commands, what they print, errors and exit status."""
+"""The program gcv: its commands, and what they print."""
 
 from __future__ import annotations
 
@@ -11,53 +11,14 @@ import subprocess
 import sys
 import time
 from pathlib import Path
-from typing import Any
 
 import pytest
-from program import Run, run_program, run_shell
+from program import PEG, SLOT, as_json, failure, folder, output, run_program, run_shell
 from shapes import NOTCHED, TRIANGLE
 
 import gcv
 
-SLOT = "POLYGON ((0 0, 6 0, 6 6, 4 6, 4 2, 2 2, 2 6, 0 6))"
-PEG = "POLYGON ((0 0, 2 0, 2 2, 0 2))"
-FILES = {
-    "a.wkt": "POLYGON ((0 0, 8 0, 8 6, 3 1, 0 7))\n",
-    "b.wkt": "POLYGON ((0 0, 1 0, 0 1))\n",
-    "slot.wkt": SLOT,
-    "peg.wkt": PEG,
-    "two.wkt": f"{SLOT}\n{PEG}\n",
-    "bow tie.wkt": "POLYGON ((0 0, 2 2, 2 0, 0 2))\n",
-    "table.txt": "# x y\n10 0\n\n8.5, 0 # near\n0 0\n",
-}
-
-
-@pytest.fixture
-def folder(tmp_path: Path) -> Path:
-    for name, text in FILES.items():
-        (tmp_path / name).write_text(text)
-    return tmp_path
-
-
-def output(folder: Path, command: str, text: str = "") -> str:
-    """What a command prints, which must not fail."""
-    run = run_program(folder, *command.split(), text=text)
-    assert (run.stderr, run.returncode) == ("", 0)
-    return run.stdout
-
-
-def as_json(folder: Path, command: str) -> Any:
-    return json.loads(output(folder, f"{command} --format json"))
-
-
-def failure(run: Run, status: int) -> str:
-    """The message of a run that failed with this status: one sentence, where it is no usage."""
-    assert (run.stdout, run.returncode) == ("", status)
-    assert "Traceback" not in run.stderr
-    if status == 1:
-        assert run.stderr.startswith("gcv: ")
-        assert run.stderr.count("\n") == 1
-    return run.stderr
+__all__ = ["folder"]
 
 
 @pytest.mark.parametrize("command", ["sum a.wkt b.wkt", "a.wkt b.wkt", "--threads 2 a.wkt b.wkt"])
@@ -288,94 +249,6 @@ def test_pictures(folder: Path) -> None:
     assert (folder / "out.svg").read_text().count("<path") == 4
     output(folder, "simplify two.wkt --tolerance 0 --svg out.svg")
     assert (folder / "out.svg").read_text().count("<path") == 4
-
-
-@pytest.mark.parametrize(
-    ("command", "reason"),
-    [
-        ("", "COMMAND"),
-        ("smu a.wkt b.wkt", "smu"),
-        ("a.wkt", "usage"),
-        ("sum a.wkt b.wkt --rounding up", "up"),
-        ("sum a.wkt b.wkt --tol 1", "--tol"),
-        ("sum a.wkt b.wkt --tolerance nan", "'nan' is not a finite number"),
-        ("sum a.wkt b.wkt --leave-out holes", "--leave-out takes --region"),
-        ("sum a.wkt b.wkt --flatten 0", "'0' is not above 0"),
-        ("sum - -", "standard input"),
-        ("cast a.wkt b.wkt", "--motion"),
-        ("relation a.wkt b.wkt --at 0 0 --positions table.txt", "not allowed"),
-        ("relation a.wkt b.wkt --at 0 x", "'x' is not a finite number"),
-        ("free a.wkt b.wkt", "--container"),
-        ("free a.wkt b.wkt --best 1 0", "--container"),
-        ("free a.wkt b.wkt --container a.wkt --best 1 0 --window 0 0 1 1", "--window"),
-        ("free a.wkt b.wkt --container a.wkt --best 1 0 --format wkt", "--format wkt"),
-        ("free a.wkt b.wkt --container a.wkt --format json", "--format json"),
-        ("completion tcsh", "tcsh"),
-    ],
-)
-def test_wrong_usage(folder: Path, command: str, reason: str) -> None:
-    assert reason in failure(run_program(folder, *command.split()), 2)
-
-
-@pytest.mark.parametrize(
-    ("command", "reason"),
-    [
-        ("sum a.wkt none.wkt", "gcv: none.wkt: No such file or directory"),
-        ("sum a.wkt .", "gcv: .: Is a directory"),
-        ("sum a.wkt b.wkt --svg no/where.svg", "gcv: no/where.svg: No such file"),
-        ("sum a.wkt b.wkt -o no/where.wkt", "gcv: no/where.wkt: No such file"),
-        ("sum a.wkt two.wkt --pick-b 2", "two.wkt: there is no polygon 2 in this file of 2"),
-        ("free a.wkt b.wkt --container two.wkt", "two.wkt: a container is one polygon"),
-        ("relation a.wkt b.wkt --positions a.wkt", "a.wkt: line 1: 'POLYGON"),
-        ("relation two.wkt b.wkt --at 1e308 1e999", "'1e999' is not"),
-    ],
-)
-def test_failures(folder: Path, command: str, reason: str) -> None:
-    status = 2 if "1e999" in command else 1
-    assert reason in failure(run_program(folder, *command.split()), status)
-
-
-def test_failures_say_where(folder: Path) -> None:
-    run = run_program(folder, "sum", "a.wkt", "bow tie.wkt")
-    assert failure(run, 1).startswith("gcv: bow tie.wkt: polygon: edges 0 and 2")
-    large = "POLYGON ((0 0, 1e308 0, 0 1e308))"
-    run = run_program(folder, "sum", "-", "-", text="")
-    assert run.returncode == 2
-    (folder / "large.wkt").write_text(f"{PEG}\n{large}")
-    run = run_program(folder, "sum", "large.wkt", "-", text=large)
-    assert "large.wkt: polygon 1 and standard input: polygon: " in failure(run, 1)
-    two = f"{PEG}\n{PEG}"
-    run = run_program(folder, "sum", "a.wkt", "-", "--pick-b", "2", text=two)
-    assert failure(run, 1) == "gcv: standard input: there is no polygon 2 in this file of 2\n"
-    run = run_program(folder, "free", "a.wkt", "b.wkt", "--container", "-", text=two)
-    assert failure(run, 1).startswith("gcv: standard input: a container is one polygon")
-    run = run_program(folder, "distance", "large.wkt", "b.wkt", "--at", "-1.7e308", "-1.7e308")
-    assert "large.wkt: polygon 0 and b.wkt: polygon: " in failure(run, 1)
-
-
-def test_broken_pipe_is_quiet(folder: Path) -> None:
-    run = run_shell(folder, "set -o pipefail; gcv sum two.wkt two.wkt | true; echo $?")
-    assert run.stdout in ("0\n", "1\n")
-    program = subprocess.Popen(
-        [sys.executable, "-m", "gcv", "simplify", "-", "--tolerance", "0"],
-        cwd=folder,
-        stdin=subprocess.PIPE,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-    )
-    assert program.stdout is not None
-    program.stdout.close()
-    _, errors = program.communicate(PEG.encode())
-    assert (errors, program.returncode) == (b"", 1)
-
-
-def test_full_disc(folder: Path) -> None:
-    if not os.path.exists("/dev/full"):
-        pytest.skip("there is no /dev/full: writing to a full disc is not tested")
-    run = run_shell(folder, "gcv sum a.wkt b.wkt > /dev/full; echo $?")
-    assert run.stdout == "gcv: standard output: No space left on device\n1\n"
-    run = run_shell(folder, "gcv sum a.wkt b.wkt -o /dev/full; echo $?")
-    assert run.stdout == "gcv: /dev/full: No space left on device\n1\n"
 
 
 def test_interrupt(folder: Path) -> None:

@@ -1,14 +1,13 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The program gcv: values that options refuse, and standard streams that are not there."""
+"""The program gcv: wrong usage, failures, and standard streams that are not there."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 import pytest
-from program import run_program, run_shell
-from test_command_line import failure, folder, output
+from program import PEG, failure, folder, output, run_program, run_shell
 
 __all__ = ["folder"]
 AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
@@ -17,6 +16,22 @@ AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
 @pytest.mark.parametrize(
     ("command", "reason"),
     [
+        ("", "COMMAND"),
+        ("smu a.wkt b.wkt", "smu"),
+        ("a.wkt", "usage"),
+        ("sum a.wkt b.wkt --rounding up", "up"),
+        ("sum a.wkt b.wkt --tol 1", "--tol"),
+        ("sum a.wkt b.wkt --tolerance nan", "'nan' is not a finite number"),
+        ("sum a.wkt b.wkt --leave-out holes", "--leave-out takes --region"),
+        ("sum a.wkt b.wkt --flatten 0", "'0' is not above 0"),
+        ("sum - -", "standard input"),
+        ("cast a.wkt b.wkt", "--motion"),
+        ("relation a.wkt b.wkt --at 0 0 --positions table.txt", "not allowed"),
+        ("relation a.wkt b.wkt --at 0 x", "'x' is not a finite number"),
+        ("free a.wkt b.wkt --container a.wkt --best 1 0 --window 0 0 1 1", "--window"),
+        ("free a.wkt b.wkt --container a.wkt --best 1 0 --format wkt", "--format wkt"),
+        ("free a.wkt b.wkt --container a.wkt --format json", "--format json"),
+        ("completion tcsh", "tcsh"),
         ("sum a.wkt b.wkt --tolerance -1", "--tolerance: '-1' is below 0"),
         ("sum a.wkt b.wkt --tolerance 1_0", "--tolerance: '1_0' is not a finite number"),
         ("sum a.wkt b.wkt --threads -2", "--threads: '-2' is not a whole number"),
@@ -39,7 +54,7 @@ AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
         ),
     ],
 )
-def test_values_that_options_refuse(folder: Path, command: str, reason: str) -> None:
+def test_wrong_usage(folder: Path, command: str, reason: str) -> None:
     assert reason in failure(run_program(folder, *command.split()), 2)
 
 
@@ -70,6 +85,42 @@ def test_values_that_options_refuse(folder: Path, command: str, reason: str) -> 
 )
 def test_words_that_are_misspelt(folder: Path, command: str, reason: str) -> None:
     assert reason in failure(run_program(folder, *command.split()), 2)
+
+
+@pytest.mark.parametrize(
+    ("command", "reason"),
+    [
+        ("sum a.wkt none.wkt", "gcv: none.wkt: No such file or directory"),
+        ("sum a.wkt .", "gcv: .: Is a directory"),
+        ("sum a.wkt b.wkt --svg no/where.svg", "gcv: no/where.svg: No such file"),
+        ("sum a.wkt b.wkt -o no/where.wkt", "gcv: no/where.wkt: No such file"),
+        ("sum a.wkt two.wkt --pick-b 2", "two.wkt: there is no polygon 2 in this file of 2"),
+        ("free a.wkt b.wkt --container two.wkt", "two.wkt: a container is one polygon"),
+        ("relation a.wkt b.wkt --positions a.wkt", "a.wkt: line 1: 'POLYGON"),
+        ("relation two.wkt b.wkt --at 1e308 1e999", "'1e999' is not"),
+    ],
+)
+def test_failures(folder: Path, command: str, reason: str) -> None:
+    status = 2 if "1e999" in command else 1
+    assert reason in failure(run_program(folder, *command.split()), status)
+
+
+def test_failures_say_where(folder: Path) -> None:
+    run = run_program(folder, "sum", "a.wkt", "bow tie.wkt")
+    assert failure(run, 1).startswith("gcv: bow tie.wkt: polygon: edges 0 and 2")
+    large = "POLYGON ((0 0, 1e308 0, 0 1e308))"
+    run = run_program(folder, "sum", "-", "-", text="")
+    assert run.returncode == 2
+    (folder / "large.wkt").write_text(f"{PEG}\n{large}")
+    run = run_program(folder, "sum", "large.wkt", "-", text=large)
+    assert "large.wkt: polygon 1 and standard input: polygon: " in failure(run, 1)
+    two = f"{PEG}\n{PEG}"
+    run = run_program(folder, "sum", "a.wkt", "-", "--pick-b", "2", text=two)
+    assert failure(run, 1) == "gcv: standard input: there is no polygon 2 in this file of 2\n"
+    run = run_program(folder, "free", "a.wkt", "b.wkt", "--container", "-", text=two)
+    assert failure(run, 1).startswith("gcv: standard input: a container is one polygon")
+    run = run_program(folder, "distance", "large.wkt", "b.wkt", "--at", "-1.7e308", "-1.7e308")
+    assert "large.wkt: polygon 0 and b.wkt: polygon: " in failure(run, 1)
 
 
 def test_missing_files(folder: Path) -> None:

@@ -13,8 +13,7 @@ import time
 from pathlib import Path
 
 import pytest
-from program import run_program, run_shell
-from test_command_line import folder, output
+from program import PEG, folder, output, run_program, run_shell
 
 from gcv._command_line import main
 
@@ -166,3 +165,28 @@ def test_what_is_no_regular_file(folder: Path) -> None:
         run = run_program(folder, *["sum", "a.wkt", "b.wkt", "-o", name])
         assert run.returncode == 1
         assert run.stderr.startswith(f"gcv: {name or repr('')}: ")
+
+
+def test_broken_pipe_is_quiet(folder: Path) -> None:
+    run = run_shell(folder, "set -o pipefail; gcv sum two.wkt two.wkt | true; echo $?")
+    assert run.stdout in ("0\n", "1\n")
+    program = subprocess.Popen(
+        [sys.executable, "-m", "gcv", "simplify", "-", "--tolerance", "0"],
+        cwd=folder,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+    )
+    assert program.stdout is not None
+    program.stdout.close()
+    _, errors = program.communicate(PEG.encode())
+    assert (errors, program.returncode) == (b"", 1)
+
+
+def test_full_disc(folder: Path) -> None:
+    if not os.path.exists("/dev/full"):
+        pytest.skip("there is no /dev/full: writing to a full disc is not tested")
+    run = run_shell(folder, "gcv sum a.wkt b.wkt > /dev/full; echo $?")
+    assert run.stdout == "gcv: standard output: No space left on device\n1\n"
+    run = run_shell(folder, "gcv sum a.wkt b.wkt -o /dev/full; echo $?")
+    assert run.stdout == "gcv: /dev/full: No space left on device\n1\n"
