@@ -200,10 +200,8 @@ RoundedRegion island_inward(const ExactRegion& island, const RegionWithSquare& f
   }
   const Box box = box_of(std::span<const Point>(nearest.vertices));
   RoundedRegion nothing;
-  // Both ends of the extents are off by as much as any vertex, in each coordinate.
-  const double error = nearest.error_bound;
-  nothing.error_bound = sum_bound(sum_bound(error, error),
-                                  sum_bound(error, length_bound(box.x1 - box.x0, box.y1 - box.y0)));
+  nothing.error_bound =
+      exact_extents_bound(length_bound(box.x1 - box.x0, box.y1 - box.y0), nearest.error_bound);
   nothing.parts_dropped = island.parts.size();
   return nothing;
 }

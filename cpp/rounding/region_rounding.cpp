@@ -150,10 +150,9 @@ class RegionRounder {
     add_fits(rounded);
     rounded.displacement =
         sum_bound(rings_.error_bound, std::max(rings_.furthest, rings_.displaced));
-    // Both ends of what was dropped are off by as much as any vertex, in each coordinate.
-    const double error = rings_.error_bound;
-    const double lost = sum_bound(sum_bound(error, error), sum_bound(error, rings_.lost));
-    rounded.error_bound = std::max(rounded.displacement, rings_.dropped > 0 ? lost : 0.0);
+    const double lost =
+        rings_.dropped > 0 ? exact_extents_bound(rings_.lost, rings_.error_bound) : 0.0;
+    rounded.error_bound = std::max(rounded.displacement, lost);
     rounded.vertices_repaired = rings_.repaired;
     rounded.parts_dropped = rings_.dropped;
     return rounded;

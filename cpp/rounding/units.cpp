@@ -28,6 +28,10 @@ double sum_bound(double x, double y) {
   return x == 0 || y == 0 ? x + y : next_up(x + y);
 }
 
+double exact_extents_bound(double extents, double error) {
+  return sum_bound(sum_bound(error, error), sum_bound(error, extents));
+}
+
 // A bound of the distance from a point near the foot of the perpendicular. The coordinates of that
 // point are off by a few units in the last place at most. Scales where squares would overflow or
 // underflow. What smaller coordinates lose by that is far below a unit.

@@ -195,3 +195,47 @@ def test_equality() -> None:
     bare = gcv.no_fit_region(U_SHAPE, SQUARE_2, (0.1, 0), rounding="outward", leave_out="fits")
     assert tenth.vertices.tolist() == bare.vertices.tolist()
     assert tenth != bare
+
+
+FAR = 2.0**56
+LOBES = [
+    *[(1408, 645), (1408, 512), (1792, 512), (1792, 896), (1408, 649), (1024, 1024), (504, 1024)],
+    *[(792, 1504), (500, 1024), (488, 1024), (776, 1504), (484, 1024), (472, 1024), (760, 1504)],
+    *[(468, 1024), (752, 1504), (460, 1024), (744, 1504), (452, 1024), (736, 1504), (388, 1024)],
+]
+ISLANDS = [
+    *[(0, 0), (-28, -10), (-37, -2), (-40, -5), (-53, -3)],
+    *[(-44, 15), (-40, 4), (-28, 11), (-16, 13), (-8, 10)],
+]
+
+
+@pytest.mark.parametrize(
+    ("container", "part", "reference"),
+    [
+        # The lobe with the hole is cut off, and the hole has to go too.
+        (
+            gcv.Polygon(LOBES, holes=[[(1504, 608), (1696, 608), (1696, 800)]]),
+            [(0, 0), (1, 0), (0, 1)],
+            (FAR, FAR),
+        ),
+        # Two islands come to lie in each other.
+        (gcv.Polygon(ISLANDS), [(-1, 3), (3, 0), (2, -3), (-2, -3)], (1.5 * FAR, 1.5 * FAR)),
+    ],
+)
+def test_regions_of_a_few_units_are_valid(
+    container: gcv.Polygon, part: list[tuple[float, float]], reference: tuple[float, float]
+) -> None:
+    region = gcv.inner_fit_region(container, part, reference)
+    assert region.stats.parts_dropped == 1
+    polygons = [region.polygon(k) for k in range(len(region))]
+    assert region.shapely().is_valid
+    assert region.area == sum(polygon.area for polygon in polygons)
+
+
+def test_what_is_dropped_is_in_the_bound() -> None:
+    plate = [(-102400, -102400), (102400, -102400), (102400, 102400), (-102400, 102400)]
+    holed = gcv.Polygon(plate, holes=[[(-511, -511), (511, -511), (511, 511), (-511, 511)]])
+    peg = [(0, 0), (-1, 0), (-1, -1), (0, -1)]
+    region = gcv.no_fit_region(holed, peg, (1.5 * 2.0**62, 1.5 * 2.0**62))
+    assert (len(region.exact_parts), region.stats.parts_dropped) == (2, 1)
+    assert region.error_bound >= math.hypot(1021, 1021)
