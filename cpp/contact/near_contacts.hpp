@@ -10,9 +10,9 @@
 
 namespace gcv {
 
-// The contacts that Definition 1 admits for touching whose features are no further than `distance`
-// apart, or that deep: by the sizes of their gaps, then in the order of contacts. The gap of an
-// edge is negative where the vertex lies on the solid side of its line.
+// The contacts that Definition 1 admits for touching whose |gap| is at most `distance`: by the
+// sizes of their gaps, then in the order of contacts. The gap of an edge is negative where the
+// vertex lies on the solid side of its line.
 //
 // An edge and a vertex: the vertex is convex, and neither of its edges leads to the solid side of
 // the edge. Two vertices: both are convex, and one of them is admitted for an edge of the other.

@@ -37,7 +37,10 @@ export interface Contact {
   a: number;
   /** The same of B. */
   b: number;
-  /** The distance between the features; in lists negative for a vertex on the inner side of the edge. */
+  /**
+   * The distance between the features; in lists negative for a vertex on the inner side of the line
+   * of the edge.
+   */
   gap: number;
   /** A unit vector from A to B; 0 0 for two vertices that coincide. */
   normal: Point;

@@ -81,8 +81,7 @@ def contacts(
     """All pairs of a feature of A and one of B, moved by a translation, that can touch.
 
     A pair is an edge and a vertex, or two vertices, that no small part of the polygons
-    beside them keeps from touching. It is in the list where the gap between them is not
-    above the distance, or, where they are that deep in each other, not below -distance.
+    beside them keeps from touching. It is in the list where |gap| is at most the distance.
     Parallel edges give the ends of what they share, each as a vertex and an edge. Where
     the nearest point of an edge is its end, the pair of two vertices is there as well.
 
@@ -92,7 +91,7 @@ def contacts(
 
     The contacts are in the order of the size of the gap, then kind, a, b. Which there are
     is exact. gap is correctly rounded; it is negative where the vertex is on the inner
-    side of the edge, and never for two vertices.
+    side of the line of the edge, and never for two vertices.
 
     threads, progress, and errors are those of relation; InputError also for a distance
     or a slope that is negative or not finite, Error where a result is larger than any

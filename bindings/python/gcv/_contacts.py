@@ -57,7 +57,7 @@ class Contact(NamedTuple):
     gap: float
     """The distance between the features, correctly rounded.
 
-    Negative for a vertex that is on the inner side of the edge.
+    In lists negative for a vertex that is on the inner side of the line of the edge.
     """
     normal: tuple[float, float]
     """A unit vector, each coordinate within 1 ulp.

@@ -199,10 +199,9 @@ class Region(Result):
     def error_bound(self) -> float:
         """An upper bound on the Hausdorff distance from the exact boundary, in input units.
 
-        The boundary is all rings, segments and points. Rings that were dropped count,
-        segments and points that were dropped do not.
-        Certified and rounded up. It is 0 where every exact coordinate is a float. With a
-        tolerance it is a bound between sets, as in OuterFace.
+        The boundary is all rings, segments and points. A part that was dropped counts
+        with its extents. Certified and rounded up. It is 0 where every exact coordinate is
+        a float. With a tolerance it is a bound between sets, as in OuterFace.
         """
         return float(self._fact("error_bound"))
 

@@ -703,9 +703,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_exact_indices(const gcv_outer_fa
 
 /**
  * An upper bound on the Hausdorff distance between the returned ring and the exact
- * ring, in input units. It is 0 if every exact coordinate is a double. It is half a unit in
- * the last place of each coordinate if nothing had to be repaired, and a few units in most
- * other cases. If outward rounding closes a slit, the pocket behind the slit counts: the
+ * ring, in input units. It is 0 if every exact coordinate is a double. It is at most half a
+ * unit in the last place of each coordinate if nothing had to be repaired, and a few units in
+ * most other cases. If outward rounding closes a slit, the pocket behind the slit counts: the
  * bound is then as large as the pocket.
  *
  * With a tolerance, the bound includes what the polygons were simplified by, which is often
@@ -1225,7 +1225,7 @@ typedef struct gcv_contact {
   /** In answers of scenes the ids of members, or 1 for the container; 0 for all other polygons. */
   uint64_t id_a, id_b;
   /** The distance between the features, correctly rounded; in lists negative where the vertex is
-   *  on the solid side of the edge. */
+   *  on the solid side of the line of the edge. */
   double gap;
   /** A unit vector, each coordinate within 1 ulp: the normal of the edge, towards B; for two
    *  vertices the direction from that of A to that of B, or 0 0 where they coincide. */

@@ -78,8 +78,8 @@ impl Contact {
 
     /// The distance between the features, correctly rounded.
     ///
-    /// In a list of [`contacts`](crate::contacts()) it is below 0 where the polygons overlap
-    /// there. It is never below 0 for two vertices.
+    /// In a list of [`contacts`](crate::contacts()) it is below 0 where the vertex lies on the
+    /// solid side of the line of the edge. It is never below 0 for two vertices.
     pub fn gap(&self) -> f64 {
         self.0.gap
     }

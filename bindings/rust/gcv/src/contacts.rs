@@ -93,8 +93,8 @@ fn index(given: u64) -> Option<usize> {
     usize::try_from(given).ok().filter(|_| given != u64::MAX)
 }
 
-/// The pairs of features of A and B + translation that can touch, and are no further than
-/// `distance` apart, or deep.
+/// The pairs of features of A and B + translation that can touch, with a |gap| of at most
+/// `distance`. The gap is below 0 where a vertex lies on the solid side of the line of an edge.
 ///
 /// They are in the order of |gap|, then of kind, then of the number in A, then in B. Kinds are
 /// in the order of [`ContactKind`](crate::ContactKind). Parallel edges give the ends of what

@@ -268,8 +268,8 @@ impl Region {
     /// An upper bound on the Hausdorff distance from the boundary in `f64` to the exact one,
     /// in input units: 0 where every exact coordinate is an `f64`.
     ///
-    /// The boundary is all rings, segments and points. Rings that were dropped count, segments
-    /// and points that were dropped do not. With a tolerance it is a bound between sets, as by
+    /// The boundary is all rings, segments and points. A part that was dropped counts with its
+    /// extents. With a tolerance it is a bound between sets, as by
     /// [`OuterFace::error_bound`](crate::OuterFace::error_bound).
     pub fn error_bound(&self) -> f64 {
         // SAFETY: the region is alive.
