@@ -29,8 +29,8 @@ class NearbyPositions {
   // The double nearest to it. The coordinates are infinite if they are beyond the largest double.
   [[nodiscard]] const Point& nearest() const { return nearest_; }
 
-  // There are so many others, from the nearest on. Nothing, where one is further than 2 ulps in a
-  // coordinate, or beyond the largest double.
+  // There are so many others, those that are fewer doubles away first: in x and in y, squared and
+  // added. Nothing, where one is further than 2 ulps in a coordinate, or beyond the largest double.
   static constexpr std::size_t other_count = 24;
   [[nodiscard]] std::optional<Point> other(std::size_t k);
   // How far they are from the nearest one along an axis, at most.
@@ -51,10 +51,10 @@ class NearbyPositions {
   std::optional<Sides> sides_;  // the signs of the exact translation minus the nearest one
 };
 
-// Of the translations in doubles within 2 ulps of the exact one in each coordinate, the nearest one
-// at which relations.at(translation) is no overlap. The nearest of all, if there is none, which
-// relations.overlaps_around(translation, distance) may know at once. The coordinates are infinite
-// if they are beyond the largest double.
+// Of the translations in doubles within 2 ulps of the exact one in each coordinate, the first one
+// in the order of NearbyPositions at which relations.at(translation) is no overlap. The nearest of
+// all, if there is none, which relations.overlaps_around(translation, distance) may know at once.
+// The coordinates are infinite if they are beyond the largest double.
 template <class Relations>
 UsablePosition usable_position(const ExactPoint& exact, const Point& shift, Tally& tally,
                                Relations&& relations) {
