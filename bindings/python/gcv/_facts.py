@@ -55,7 +55,7 @@ class Stats(NamedTuple):
     predicates_fixed_width: int
     """Predicates settled by pairs of floats or integers of at most 512 bits."""
     predicates_rational: int
-    """Predicates that needed arbitrary-precision arithmetic."""
+    """Predicates that needed larger integers, of up to 21,504 bits."""
     vertices_repaired: int
     """Vertices moved further than to the nearest float to keep rings simple and apart."""
     parts_dropped: int = 0

@@ -768,10 +768,9 @@ typedef struct gcv_stats {
   uint64_t candidate_edges;
   /** Predicates decided by doubles with a proven error bound, or by indices. */
   uint64_t predicates_filtered;
-  /** Predicates decided by double-double numbers or by integers of at most 512 bits, without
-   *  heap memory. */
+  /** Predicates decided by double-double numbers or by integers of at most 512 bits. */
   uint64_t predicates_fixed_width;
-  /** Predicates that needed arbitrary-precision arithmetic. */
+  /** Predicates that needed larger integers, of up to 21,504 bits. None takes heap memory. */
   uint64_t predicates_rational;
   /** Vertices moved further than to the nearest double to keep rings simple and apart. */
   uint64_t vertices_repaired;
@@ -983,8 +982,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_parts(const gcv_region *region, gcv_
  * not closed.
  *
  * In these doubles every ring is simple, no two rings cross, and holes lie in their polygon.
- * Vertices that fall together are given once. No polygon and no hole is lost where doubles can
- * show it. What had to move or go is in gcv_region_error_bound, and in
+ * Vertices that fall together are given once. Rings that have become flat or that cross are
+ * widened or moved apart by a few units in the last place where that helps; one that stays in
+ * the way of others is dropped. What had to move or go is in gcv_region_error_bound, and in
  * gcv_stats.vertices_repaired and gcv_stats.parts_dropped.
  *
  * @param xy        x0 y0 x1 y1 ...: room for `capacity` vertices; or NULL.

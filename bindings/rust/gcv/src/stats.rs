@@ -19,7 +19,7 @@ pub struct Stats {
     pub predicates_filtered: u64,
     /// Predicates settled by pairs of doubles or integers of at most 512 bits.
     pub predicates_fixed_width: u64,
-    /// Predicates that needed arbitrary-precision arithmetic.
+    /// Predicates that needed larger integers, of up to 21,504 bits.
     pub predicates_rational: u64,
     /// Vertices moved further than to the nearest double to keep rings simple and apart.
     pub vertices_repaired: u64,
