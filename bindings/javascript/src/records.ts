@@ -76,7 +76,10 @@ export interface Escape {
   position: Point;
   /** How they lie at the position, exactly. */
   relation: Relation;
-  /** What they touch with at the end of the way; null where they do not overlap. */
+  /**
+   * What they touch with at the end of the way; null where they do not overlap, in a scene where
+   * nothing is free, and where only points touch there at which rings of both polygons touch.
+   */
   contact: Contact | null;
   /** In a scene, of what is touched at the end of the way; 0 where there is no way. */
   id: number;

@@ -106,7 +106,11 @@ class Escape(NamedTuple):
     relation: Relation
     """How they lie at the position, exactly."""
     contact: Optional[Contact]
-    """What they touch with at the end of the way; None where they do not overlap."""
+    """What they touch with at the end of the way.
+
+    None where they do not overlap, in a scene where nothing is free, and where only points
+    touch there at which rings of both polygons touch.
+    """
     id: int = 0
     """In a scene, of what is touched at the end of the way; 0 where there is no way."""
 

@@ -378,7 +378,8 @@ enum {
 
 /** What a computation leaves out, to save time: bits of gcv_options.leave_out. @since 0.2 */
 enum {
-  /** The holes of a sum. Not for inner fits: obstacles would be free there. */
+  /** The holes of a sum. Not for inner fits and free positions in scenes: obstacles would be free
+   *  there. */
   GCV_LEAVE_OUT_HOLES = 1,
   /** Segments and points: positions where one polygon fits the other exactly. */
   GCV_LEAVE_OUT_FITS = 2
@@ -399,7 +400,8 @@ typedef struct gcv_options {
    *  counted. Finite, not negative. Above 0, each polygon is first simplified by at
    *  most half of the tolerance (see gcv_polygon_simplified), if that saves a quarter
    *  of its vertices. The exact ring is then that of the simplified polygons. With
-   *  GCV_ROUND_OUTWARD the result still contains the exact sum. Must be 0 for inner fits. */
+   *  GCV_ROUND_OUTWARD the result still contains the exact sum. Must be 0 for inner fits, for
+   *  ways out of overlaps and for free positions in scenes. */
   double tolerance;
   /** The number of threads that work on the sum, the calling one included. 1 by
    *  default; 0 for as many as the machine runs at once; above 256 counts as 256. The
@@ -481,7 +483,7 @@ typedef struct gcv_outer_face gcv_outer_face;
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
  *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
  *         where the result is so small that in doubles it has no area;
- *         GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ *         GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: the exact ring (gcv_outer_face_exact_vertex) is exact; the doubles of
  * gcv_outer_face_vertices are rounded from it as the options say, and always form a
  * simple ring.
@@ -1188,10 +1190,11 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_
  *
  * Each function takes `count` translations at once: x0 y0 x1 y1 ..., finite; with count 0 nothing
  * is read or written. All or nothing: on failure no result is written. Messages name the number of
- * the translation. options.threads share the translations, options.progress counts them, other
- * options change nothing. Nothing is built for a pair: the first question to a polygon prepares it,
- * later ones find that done. Where rings of one polygon touch, contacts are named by a vertex
- * there.
+ * the translation. options.threads share the translations, options.progress counts them.
+ * gcv_penetration takes options.leave_out, too, and refuses a tolerance. Other options change
+ * nothing, but their values must be valid. Nothing is built for a pair: the first question to a
+ * polygon prepares it, later ones find that done. Where rings of one polygon touch, contacts are
+ * named by a vertex there.
  */
 
 /** How two polygons lie. @since 0.2 */
@@ -1446,7 +1449,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_contact_list_previous(const gcv_contact_lis
  *
  * A member is its polygon moved by its position, exactly: its coordinates are sums of two doubles,
  * which are never rounded. Members may touch and overlap. The solid of a container is all outside
- * of it, and its holes are solid: what lies in the container touches or does not overlap it.
+ * of it, and its holes are solid: what lies in the container touches the solid or is apart from it.
  *
  * Members have ids: 2, 3, 4, ... as they are added. An id is never used again. The container's is
  * 1. Members that share a polygon share what is computed for it.

@@ -49,8 +49,8 @@ impl Escape {
         self.0.contact.id_a
     }
 
-    /// What touches at the end of the way out; `None` where they do not overlap, and where
-    /// nothing is free.
+    /// What touches at the end of the way out; `None` where they do not overlap, where nothing is
+    /// free, and where only points touch there at which rings of both polygons touch.
     pub fn contact(&self) -> Option<Contact> {
         Contact::of(self.0.contact)
     }

@@ -21,8 +21,8 @@ mod questions;
 ///
 /// A member is its polygon moved by its position, exactly: its coordinates are sums of two `f64`,
 /// which are never rounded. Members may touch and overlap. The solid of a container is all
-/// outside of it, and its holes are solid: what lies in the container touches or does not
-/// overlap it.
+/// outside of it, and its holes are solid: what lies in the container touches the solid or is
+/// apart from it.
 ///
 /// Members have ids: 2, 3, 4, ... as they are added. An id is never used again. The container's
 /// is [`Scene::CONTAINER`].
