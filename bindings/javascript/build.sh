@@ -5,7 +5,7 @@
 #   build.sh [FOLDER [CMAKE-ARGUMENT...]]
 #   builds the package: dist/, by way of FOLDER, build/ by default
 #
-# Takes Emscripten, CMake, the headers of Boost, and npm.
+# Takes Emscripten, CMake, the headers of Boost, 1.74 or later, and npm.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")"
 build=${1:-build}
