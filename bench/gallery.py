@@ -4,7 +4,7 @@
 docs/gallery is Fig. 9 of the paper, its nine pairs of polygons and their sums, with their
 holes; docs/superset is its Fig. 8, the superset of one of them. docs/regions shows regions,
 docs/witnesses how one is found. docs/relation, distance, penetration, cast and contacts show
-questions about two polygons.
+questions about two polygons, docs/scenes those to a scene.
 """
 
 from __future__ import annotations
