@@ -98,8 +98,8 @@ class Places(Questions):
         Which position is the furthest is decided exactly. It is returned in floats, and the
         polygon overlaps nothing there: within 2 ulps of the exact one where such a position
         is free, otherwise the nearest one found on the way into what is free around, within
-        2^20 ulps. Where there is no such way, as for exact fits between slanted edges, it is the one nearest
-        to the exact position, where relation tells OVERLAPPING.
+        2^20 ulps. Where there is no such way, as for exact fits between slanted edges, it is
+        the one nearest to the exact position, where relation tells OVERLAPPING.
 
         Takes as long as the superset edges that reach further. The other arguments and the
         errors are those of free_region, with direction in place of the window.
