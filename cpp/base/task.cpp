@@ -69,10 +69,12 @@ void Task::finish() {
 void Task::tell(std::uint64_t estimate) {
   assert(std::this_thread::get_id() == caller_);
   reported_ = done();
+  if (report_ == nullptr || cancelled_) {
+    return;
+  }
   // What the caller asks the library in between is no part of this task.
   const CurrentTask none(nullptr);
-  if (!cancelled_ && report_ != nullptr &&
-      report_(context_, reported_, std::max(reported_, estimate)) != 0) {
+  if (report_(context_, reported_, std::max(reported_, estimate)) != 0) {
     cancelled_ = true;
   }
 }

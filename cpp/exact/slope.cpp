@@ -2,7 +2,6 @@
 #include "slope.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "double_double.hpp"
 #include "exact_numbers.hpp"
@@ -14,7 +13,7 @@ namespace {
 // Larger than the bound of predicates.cpp for a sum of two products of rounded differences, times
 // the slope, and the roundings of that.
 constexpr double error_factor = 16 * unit_roundoff;
-constexpr double least_error = 32 * std::numeric_limits<double>::denorm_min();
+constexpr double least_error = 0x1p-898;
 
 template <class Integer>
 Integer dot(const Vector<Integer>& v, const Vector<Integer>& w) {

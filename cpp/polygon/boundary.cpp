@@ -2,6 +2,7 @@
 #include "boundary.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
 #include <cassert>
 #include <cmath>
 #include <cstddef>
@@ -27,7 +28,11 @@ struct Chain {
     int turn;
   };
   PointVector points;
-  Buffer<Mark> marks;
+  boost::container::small_vector<Mark, 32> marks;
+
+  // Of so many of the points. Their marks are not written.
+  Chain(PointVector boundary, std::size_t count)
+      : points(std::move(boundary)), marks(count, boost::container::default_init) {}
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return cyclic_next(i, size()); }
@@ -53,7 +58,7 @@ Chain without_repetitions(PointVector boundary, const CallersNumbers& numbers) {
   while (count > 1 && boundary[count - 1] == boundary[0]) {
     --count;
   }
-  Chain chain{std::move(boundary), Buffer<Chain::Mark>(count)};
+  Chain chain(std::move(boundary), count);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const Point p = chain.points[i];
@@ -68,7 +73,7 @@ Chain without_repetitions(PointVector boundary, const CallersNumbers& numbers) {
                                                                 numbers.corners[i].edge_number, 0};
   }
   chain.points.resize(kept);
-  chain.marks.resize(kept);
+  chain.marks.resize(kept, boost::container::default_init);
   return chain;
 }
 

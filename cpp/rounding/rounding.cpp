@@ -63,20 +63,22 @@ class PlacedSum {
   PairOfDoubles error_;
 };
 
-constexpr double denormal = std::numeric_limits<double>::denorm_min();
+constexpr double smallest_normal = std::numeric_limits<double>::min();
 
-// The size of a number that was rounded. 0 if it is exact.
+// The size of a number that was rounded, or the smallest normal one, which has rounding errors as
+// large as all smaller ones have. 0 if the number is exact.
 double size_if_rounded(const RoundedNumber& number) {
-  return number.exact ? 0 : std::max(std::abs(number.value), denormal);
+  return number.exact ? 0 : std::max(std::abs(number.value), smallest_normal);
 }
 
 // At least the rounding error of a number of that size.
 double error_of_size(double size) {
-  return size == 0 ? 0 : std::max(unit_in_last_place(size) / 2, denormal);
+  constexpr double smallest = std::numeric_limits<double>::denorm_min();
+  return size == 0 ? 0 : size < 0x1p-1020 ? smallest : unit_in_last_place(size) / 2;
 }
 
 // The size from which on rounding errors are larger than `error`: the next power of two.
-double next_size(double error) { return std::max(0x1p54 * error, denormal); }
+double next_size(double error) { return std::max(0x1p54 * error, smallest_normal); }
 
 void check_finite(const ExactRing& ring, std::size_t k, const RoundedVertex& vertex) {
   const bool x_is_finite = std::isfinite(vertex.x.value);
@@ -164,7 +166,8 @@ PointVector ring_through(PointVector places) {
 Placement place_nearest(const ExactRing& ring, Task& task, Tally& tally, std::uint64_t parts) {
   struct Portion {
     double error_bound = 0;
-    Point sizes{denormal, denormal};  // from which on errors are larger than `error_bound`
+    Point sizes{smallest_normal,
+                smallest_normal};  // from which on errors are larger than `error_bound`
     Tally tally;
 
     void add(const RoundedVertex& vertex) {

@@ -18,8 +18,8 @@ namespace gcv {
 namespace {
 
 Operand simplified_operand(const Operand& operand, const SumOptions& options) {
-  const Simplified near = simplified_for_sum(operand.ring, options);
-  return {near.ring, operand.name, near.error_bound};
+  Simplified near = simplified_for_sum(operand.ring, options);
+  return {std::move(near.ring), operand.name, near.error_bound};
 }
 
 // The coordinate that is the sum of x of a and y of b.
@@ -71,8 +71,7 @@ Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
                   3 * polygon->vertices.size() / 4);
 }
 
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
-                        Task& task) {
+OuterFace minkowski_sum(Operand a, Operand b, const Point& shift, Rounding rounding, Task& task) {
   const Boundary& pa = *a.ring;
   const Boundary& pb = *b.ring;
   if (shift == Point{0, 0}) {
@@ -83,7 +82,8 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, 
   Walk walk = walk_outer_face(pa, pb, task, tally);
   face.counts.walk_steps = walk.steps;
   face.counts.candidate_edges = walk.candidates;
-  face.exact = {a, b, shift, std::move(walk.vertices), walk.chains_are_repeated};
+  face.exact = {std::move(a), std::move(b), shift, std::move(walk.vertices),
+                walk.chains_are_repeated};
   const auto outer_face_of = [&](const Boundary& p, const Boundary& q) {
     return walk_outer_face(p, q, task, tally).vertices;
   };
@@ -100,12 +100,13 @@ OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift,
                         const SumOptions& options, Task& task) {
   const std::uint64_t parts = parts_of_sum(*a.ring, *b.ring);
   task.begin(estimated_steps(*a.ring, *b.ring), parts);
-  const Operand near_a = simplified_operand(a, options);
+  Operand near_a = simplified_operand(a, options);
   task.advance(0);
-  const Operand near_b = a.ring == b.ring ? Operand{near_a.ring, b.name, near_a.error_bound}
-                                          : simplified_operand(b, options);
+  Operand near_b = a.ring == b.ring ? Operand{near_a.ring, b.name, near_a.error_bound}
+                                    : simplified_operand(b, options);
   task.advance(0, parts - parts_of_sum(*near_a.ring, *near_b.ring));
-  OuterFace face = minkowski_sum(near_a, near_b, shift, options.rounding, task);
+  OuterFace face =
+      minkowski_sum(std::move(near_a), std::move(near_b), shift, options.rounding, task);
   task.finish();
   return face;
 }

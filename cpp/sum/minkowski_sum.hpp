@@ -54,8 +54,7 @@ void check_extremes(const Boundary& a, const char* name_a, const Boundary& b, co
 
 // The outer face of a + b + shift, of these operands as they are. Their error bounds count in the
 // error bound of the result. Throws Error: range, cancelled, internal.
-OuterFace minkowski_sum(const Operand& a, const Operand& b, const Point& shift, Rounding rounding,
-                        Task& task);
+OuterFace minkowski_sum(Operand a, Operand b, const Point& shift, Rounding rounding, Task& task);
 
 // The outer face of a + b + shift, of the operands simplified within the tolerance. The task is
 // reported from its start to its end. Throws Error: range, cancelled, internal.
