@@ -103,7 +103,7 @@ gcv_options read_free_options(const gcv_options* options, const char* what) {
   refuse_tolerance(known, what);
   if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {
     throw Error(Status::invalid_argument,
-                "options: leave_out has GCV_LEAVE_OUT_HOLES; %s have all of their holes", what);
+                "options: leave_out has GCV_LEAVE_OUT_HOLES, which %s do not take", what);
   }
   return known;
 }
@@ -146,8 +146,10 @@ void gcv_options_init_size(gcv_options* options, uint32_t struct_size) {
   if (options == nullptr || struct_size < sizeof(gcv::capi::FirstOptions)) {
     return;
   }
-  gcv_options defaults = GCV_OPTIONS_INIT;
+  gcv_options defaults;  // all of its bytes are written, those between the members too
+  std::memset(&defaults, 0, sizeof defaults);
   defaults.struct_size = struct_size;
+  defaults.threads = 1;
   std::memset(options, 0, struct_size);
   std::memcpy(options, &defaults, std::min<std::size_t>(struct_size, sizeof defaults));
 }

@@ -21,7 +21,7 @@ void check_tolerance(double tolerance, const char* where);
 gcv_options read_options(const gcv_options* options);
 // Throws Error: invalid_argument for a tolerance. `what` is exact.
 void refuse_tolerance(const gcv_options& options, const char* what);
-// Refuses what free regions do not take. `what` are found with them.
+// Refuses what sums alone take, and ways out: a tolerance and the leaving out of holes.
 gcv_options read_free_options(const gcv_options* options, const char* what);
 
 SumOptions sum_options(const gcv_options& options);

@@ -61,6 +61,11 @@ class VertexReader {
       throw Error(Status::invalid_argument, "%s is %zu, at most %zu is possible", name, count,
                   gcv::vertex_limit);
     }
+    if (!fits_memory(count)) {
+      throw Error(Status::invalid_argument,
+                  "%s is %zu: with stride_bytes %zu, that is more than memory can hold", name,
+                  count, step_);
+    }
     PointVector points(count);
     const char* next = next_;
     for (Point& point : points) {
@@ -93,6 +98,11 @@ std::vector<PointVector> read_rings(const double* xy, std::size_t stride, const 
                   gcv::vertex_limit);
     }
     vertices += sizes[k];
+  }
+  if (!reader.fits_memory(vertices)) {
+    throw Error(Status::invalid_argument,
+                "ring_sizes: with stride_bytes %zu, %zu vertices are more than memory can hold",
+                stride, vertices);
   }
   std::vector<PointVector> rings;
   rings.reserve(count);

@@ -16,14 +16,17 @@ void give_stats(const Counts& counts, std::uint64_t vertices_repaired, std::uint
     throw Error(Status::invalid_argument, "stats: struct_size is %u, less than %zu", size,
                 first_size);
   }
-  const gcv_stats stats{size,
-                        counts.walk_steps,
-                        counts.candidate_edges,
-                        counts.predicates.filtered,
-                        counts.predicates.fixed_width,
-                        counts.predicates.rational,
-                        vertices_repaired,
-                        parts_dropped};
+  // The bytes between the members are written too.
+  gcv_stats stats;
+  std::memset(&stats, 0, sizeof stats);
+  stats.struct_size = size;
+  stats.walk_steps = counts.walk_steps;
+  stats.candidate_edges = counts.candidate_edges;
+  stats.predicates_filtered = counts.predicates.filtered;
+  stats.predicates_fixed_width = counts.predicates.fixed_width;
+  stats.predicates_rational = counts.predicates.rational;
+  stats.vertices_repaired = vertices_repaired;
+  stats.parts_dropped = parts_dropped;
   std::memset(out, 0, size);
   std::memcpy(out, &stats, size < sizeof stats ? first_size : sizeof stats);
 }

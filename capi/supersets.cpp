@@ -2,7 +2,9 @@
 //
 // gcv_superset_*: the explicit superset.
 #include <algorithm>
+#include <cstddef>
 #include <memory>
+#include <vector>
 
 #include "fill.hpp"
 #include "gcv/gcv.h"
@@ -20,9 +22,17 @@ gcv_status gcv_superset_create(const gcv_polygon* a, const gcv_polygon* b, gcv_s
     require(b, "b");
     require(out, "out");
     auto superset = std::make_unique<gcv_superset>();
-    for (const auto& [from, to, source] :
-         gcv::rounded_superset(a->polygon->boundary(), b->polygon->boundary())) {
-      superset->edges.push_back({from.x, from.y, to.x, to.y, gcv::capi::public_source(source)});
+    const std::vector<gcv::RoundedSupersetEdge> edges =
+        gcv::rounded_superset(a->polygon->boundary(), b->polygon->boundary());
+    superset->edges.resize(edges.size());  // with the bytes behind the members 0
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const auto& [from, to, source] = edges[k];
+      gcv_superset_edge& edge = superset->edges[k];
+      edge.x0 = from.x;
+      edge.y0 = from.y;
+      edge.x1 = to.x;
+      edge.y1 = to.y;
+      edge.source = gcv::capi::public_source(source);
     }
     *out = superset.release();
   });

@@ -67,6 +67,7 @@ class NearContacts {
 
  private:
   void count_pair() {
+    pace_.step(4);
     if (++pairs_ == Task::portion) {
       task_.advance(pairs_);
       pairs_ = 0;
@@ -113,6 +114,7 @@ class NearContacts {
   const RelativePair relative_;
   const double limit_;
   std::uint64_t pairs_ = 0;
+  Pace pace_;  // the task may not be the one that the caller can cancel
   std::vector<Contact> contacts_;
 };
 
@@ -122,13 +124,10 @@ std::vector<Contact> near_contacts(const PlacedPair& placed, double distance, do
                                    Task& task, Tally& tally) {
   std::vector<Contact> contacts =
       std::move(NearContacts(placed, distance, slope, task, tally).contacts());
-  constexpr std::uint64_t comparisons_a_poll = 1U << 18;
-  std::uint64_t compared = 0;
+  Pace pace;
   const auto key = [](const Contact& c) { return std::tuple(std::abs(c.gap), c.kind, c.a, c.b); };
   std::sort(contacts.begin(), contacts.end(), [&](const Contact& p, const Contact& q) {
-    if (++compared % comparisons_a_poll == 0) {
-      task.poll();
-    }
+    pace.step();
     return key(p) < key(q);
   });
   return contacts;

@@ -49,6 +49,15 @@ void sort_by(std::vector<Value>& values, Key key) {
   });
 }
 
+// A hole that lies where it may not. Its message names an edge, and an end of that.
+[[noreturn]] void fail_outside(const char* name, Index hole, const char* where, Index ring,
+                               const Boundary::Corner& p, const Point& end) {
+  throw Error(
+      Status::not_simple,
+      "%s: ring %u, a hole, lies %s ring %u: edge %u has an end in vertex %u (%.17g, %.17g)", name,
+      hole, where, ring, p.edge_number, p.vertex_number, end.x, end.y);
+}
+
 class Nesting {
  public:
   Nesting(std::span<const Boundary* const> rings, const char* name)
@@ -85,10 +94,8 @@ class Nesting {
     return rings_[e.ring]->vertices[rings_[e.ring]->next(e.number)];
   }
 
-  // The caller's number of an edge.
-  [[nodiscard]] Index callers(const Edge& e) const {
-    return rings_[e.ring]->corners[e.number].edge_number;
-  }
+  // The caller's numbers of an edge and of one of its ends.
+  const Boundary::Corner& corner(const Edge& e) const { return rings_[e.ring]->corners[e.number]; }
 
   // Edges of two rings, whose boxes overlap.
   void check_pair(const Edge& e, const Edge& f) {
@@ -279,17 +286,17 @@ class Nesting {
   }
 
   [[noreturn]] void fail(const Edge& e, const Edge& f, const char* what) const {
+    const Boundary::Corner& p = corner(e);
+    const Boundary::Corner& q = corner(f);
     throw Error(Status::not_simple,
-                "%s: rings %u and %u %s: edges %u and %u meet; they start at (%.17g, %.17g) and "
-                "(%.17g, %.17g)",
-                name_, e.ring, f.ring, what, callers(e), callers(f), from(e).x, from(e).y,
-                from(f).x, from(f).y);
+                "%s: rings %u and %u %s: edges %u and %u meet; they have an end in vertex %u "
+                "(%.17g, %.17g) and in vertex %u (%.17g, %.17g)",
+                name_, e.ring, f.ring, what, p.edge_number, q.edge_number, p.vertex_number,
+                from(e).x, from(e).y, q.vertex_number, from(f).x, from(f).y);
   }
 
   [[noreturn]] void fail_at(const Ray& ray, const char* where, Index ring) const {
-    throw Error(Status::not_simple,
-                "%s: ring %u, a hole, lies %s ring %u: edge %u starts at (%.17g, %.17g)", name_,
-                ray.ring, where, ring, callers({ray.ring, 0}), ray.from.x, ray.from.y);
+    fail_outside(name_, ray.ring, where, ring, corner({ray.ring, 0}), ray.from);
   }
 
   std::span<const Boundary* const> rings_;

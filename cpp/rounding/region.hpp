@@ -41,7 +41,8 @@ struct RoundedRegion {
   // The distance of a point of the exact parts from what is returned for them, at most, and the
   // other way round. A part that is dropped counts with its extents.
   double error_bound = 0;
-  double displacement = 0;  // that of a vertex, at most
+  // That of a vertex, at most, but for those of an outer face that is rounded by itself.
+  double displacement = 0;
   std::uint64_t vertices_repaired = 0;
   std::uint64_t parts_dropped = 0;  // too thin for doubles
 };

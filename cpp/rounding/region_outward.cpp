@@ -33,12 +33,15 @@ namespace {
 struct RoundedPolygon {
   std::shared_ptr<const Polygon> polygon;
   std::size_t first;  // vertex of the region
-
-  // The vertex of the region that vertex i of the polygon's boundary is.
-  [[nodiscard]] std::size_t vertex_of(Index i) const {
-    return first + polygon->boundary().corners[i].vertex_number;
-  }
 };
+
+// The vertex of the polygon that was summed with a square, in its own numbers, whose edge leads on
+// from that vertex of the sum; of a side of the square, where that is added.
+std::size_t vertex_of_edge(const ExactRegion& sum, const RingVertex& vertex) {
+  const EdgeName e = vertex.leaving();
+  const Boundary::Corner& corner = sum.a.ring->corners[e.i];
+  return e.kind == EdgeName::corner ? corner.vertex_number : corner.edge_number;
+}
 
 std::vector<RoundedPolygon> polygons_of(const RoundedRegion& region) {
   std::vector<RoundedPolygon> polygons;
@@ -107,8 +110,8 @@ class SafeRounder {
         }
       }
       for (const std::uint64_t index : rounded.exact_indices) {
-        const RingVertex& v = exact.vertices[static_cast<std::size_t>(index)];
-        const std::size_t vertex = polygon.vertex_of(v.is_sum() ? v.i() : v.leaving().i);
+        const std::size_t vertex =
+            polygon.first + vertex_of_edge(exact, exact.vertices[static_cast<std::size_t>(index)]);
         is_left[vertex] = true;
         safe.exact_indices.push_back(nearest.exact_indices[vertex]);
       }
@@ -266,7 +269,7 @@ void add_exact_fits(const ExactRegion& exact, Tally& tally, RoundedRegion& regio
 RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf& outer_face_of,
                                    const RegionWithSquare& sum_with, Task& task, Tally& tally) {
   RoundedRegion nearest = round_to_nearest(region, true, task, tally);
-  if (nearest.displacement == 0) {
+  if (nearest.error_bound == 0) {
     return nearest;
   }
   RoundedRegion safe;

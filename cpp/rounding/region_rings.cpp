@@ -313,7 +313,7 @@ class Validator {
     return true;
   }
 
-  // Drops the smallest rings that are in the way, until none is. A ring that crosses itself is
+  // Drops the rings that are in the way of larger ones, which stay. A ring that crosses itself is
   // replaced by its largest part first.
   void drop_conflicting() {
     for (RoundingRing& ring : rings_.rings) {
@@ -321,25 +321,31 @@ class Validator {
         replace_crossing(ring);
       }
     }
-    while (true) {
-      std::vector<RoundingRing*> left;
-      const std::vector<PointVector> points = rings_left(rings_, left, pace_);
-      const std::vector<RingConflict> conflicts = find_ring_conflicts(points);
-      RoundingRing* smallest = nullptr;
-      double least = 0;
-      for (const auto& [e, f] : conflicts) {
-        for (const std::size_t r : {e.ring, f.ring}) {
-          const double extents = extents_of(points[r]);
-          if (!left[r]->is_fixed && (smallest == nullptr || extents < least)) {
-            smallest = left[r];
-            least = extents;
-          }
-        }
+    std::vector<RoundingRing*> left;
+    const std::vector<PointVector> points = rings_left(rings_, left, pace_);
+    std::vector<double> sizes;
+    std::vector<std::size_t> by_size;
+    for (std::size_t r = 0; r < left.size(); ++r) {
+      sizes.push_back(left[r]->is_fixed ? infinity : extents_of(points[r]));
+      by_size.push_back(r);
+    }
+    std::stable_sort(by_size.begin(), by_size.end(),
+                     [&](std::size_t r, std::size_t s) { return sizes[r] > sizes[s]; });
+    std::vector<std::size_t> rank(left.size());
+    for (std::size_t k = 0; k < by_size.size(); ++k) {
+      rank[by_size[k]] = k;
+    }
+    // The rank of the smaller ring first, so that what is in the way of it is decided by then.
+    std::vector<std::pair<std::size_t, std::size_t>> conflicts;
+    for (const auto& [e, f] : find_ring_conflicts(points)) {
+      conflicts.push_back(std::minmax({rank[e.ring], rank[f.ring]}, std::greater<>()));
+    }
+    std::sort(conflicts.begin(), conflicts.end());
+    for (const auto& [smaller, larger] : conflicts) {
+      RoundingRing& ring = *left[by_size[smaller]];
+      if (!ring.is_dropped && !left[by_size[larger]]->is_dropped) {
+        drop(rings_, ring);
       }
-      if (smallest == nullptr) {
-        return;
-      }
-      drop(rings_, *smallest);
     }
   }
 

@@ -16,30 +16,12 @@ namespace gcv {
 
 namespace {
 
-// Appends each place once, from that of the first vertex on. An outer face begins with its smallest
-// place. `first`: the number of the first vertex.
+// Appends the places of a ring. `first`: the number of its first vertex.
 void add_places(std::span<const Point> places, std::size_t first, bool from_smallest,
                 RoundedRegion& rounded) {
-  std::size_t size = places.size();
-  while (size > 1 && places[size - 1] == places[0]) {
-    --size;  // these belong to the first place
-  }
-  const std::size_t begin = rounded.vertices.size();
-  for (std::size_t k = 0; k < size; ++k) {
-    if (k == 0 || !(places[k] == places[k - 1])) {
-      rounded.vertices.push_back(places[k]);
-      rounded.exact_indices.push_back(first + k);
-    }
-  }
-  if (from_smallest) {
-    const std::span<const Point> ring = std::span(rounded.vertices).subspan(begin);
-    const auto smallest = static_cast<std::ptrdiff_t>(begin + lexicographic_min(ring));
-    const auto from = static_cast<std::ptrdiff_t>(begin);
-    std::rotate(rounded.vertices.begin() + from, rounded.vertices.begin() + smallest,
-                rounded.vertices.end());
-    std::rotate(rounded.exact_indices.begin() + from, rounded.exact_indices.begin() + smallest,
-                rounded.exact_indices.end());
-  }
+  const auto [distinct, indices] = distinct_places(places, first, from_smallest);
+  rounded.vertices.insert(rounded.vertices.end(), distinct.begin(), distinct.end());
+  rounded.exact_indices.insert(rounded.exact_indices.end(), indices.begin(), indices.end());
 }
 
 // A region that is an outer face and nothing else.
@@ -101,6 +83,7 @@ class RegionRounder {
     Placement placement = place_nearest(rest, task_, tally_);
     rings_.places.insert(rings_.places.end(), placement.places.begin(), placement.places.end());
     rings_.nearest.insert(rings_.nearest.end(), placement.places.begin(), placement.places.end());
+    error_of_others_ = placement.error_bound;
     rings_.error_bound = std::max(rings_.error_bound, placement.error_bound);
   }
 
@@ -148,11 +131,11 @@ class RegionRounder {
       rounded.parts.push_back({part.kind, polygon, first, rounded.vertices.size() - first});
     }
     add_fits(rounded);
-    rounded.displacement =
-        sum_bound(rings_.error_bound, std::max(rings_.furthest, rings_.displaced));
+    const double moved = std::max(rings_.furthest, rings_.displaced);
+    rounded.displacement = sum_bound(error_of_others_, moved);
     const double lost =
         rings_.dropped > 0 ? exact_extents_bound(rings_.lost, rings_.error_bound) : 0.0;
-    rounded.error_bound = std::max(rounded.displacement, lost);
+    rounded.error_bound = std::max(sum_bound(rings_.error_bound, moved), lost);
     rounded.vertices_repaired = rings_.repaired;
     rounded.parts_dropped = rings_.dropped;
     return rounded;
@@ -190,6 +173,7 @@ class RegionRounder {
   }
 
   RegionRings rings_;
+  double error_of_others_ = 0;  // of the nearest doubles of all rings but an outer face
   Task& task_;
   Tally& tally_;
 };

@@ -198,7 +198,7 @@ void BoxForest::renumber(std::span<const Slot> to, Slot slots) noexcept {
 }
 
 std::vector<BoxForest::Part> BoxForest::parts() const {
-  constexpr std::uint32_t levels = 5;  // of a part: up to 1,024 boxes
+  constexpr std::uint32_t levels = 4;  // of a part: up to 256 boxes
   std::vector<Part> parts;
   for (std::uint32_t k = 0; k < trees_.size(); ++k) {
     const Tree& tree = trees_[k];

@@ -99,7 +99,9 @@ class PairSearch {
         blocks, task.threads(),
         [&](std::size_t block) {
           task.advance(0);  // other threads go on after one that was cancelled
+          Pace pace;
           const auto visit_solids = [&](const Solid& a, const Solid& b) {
+            pace.step(16 + (std::uint64_t{a.boundary.size()} + b.boundary.size()) / 2);
             visit(results[block], a, b);
           };
           if (block < container_blocks) {
@@ -133,7 +135,7 @@ class PairSearch {
 
  private:
   using Slots = std::vector<std::uint32_t>;
-  static constexpr std::size_t slots_a_block = 256;
+  static constexpr std::size_t slots_a_block = 64;
 
   // Those that the query admits, of which is_wanted(slot) is true.
   template <class IsWanted>

@@ -69,6 +69,8 @@ static void all_bytes(void) {
   gcv_options_init_size(&first.known, ROOM);
   gcv_options_init_size(&second.known, ROOM);
   CHECK(memcmp(&first, &second, ROOM) == 0);
+  CHECK(all_are(first.bytes + offsetof(gcv_options, threads) + sizeof first.known.threads,
+                first.bytes + offsetof(gcv_options, progress), 0));
 }
 
 static void is_as_the_other(void) {

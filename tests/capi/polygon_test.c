@@ -46,8 +46,10 @@ static void strided(size_t stride, size_t offset) {
   gcv_polygon_destroy(polygon);
 }
 
+/* Vertices of a negative stride, or of one that leads beyond all memory, are nowhere. */
 static void strides(void) {
   const size_t good[] = {0, 16, 17, 24, 40};
+  const size_t huge[] = {(size_t)-16, (size_t)PTRDIFF_MAX + 1, (size_t)PTRDIFF_MAX / 2};
   const double xy[] = {0, 0, 1, 0, 0, 1};
   gcv_polygon *polygon = NULL;
   size_t k, stride;
@@ -57,6 +59,10 @@ static void strides(void) {
   }
   for (stride = 1; stride < 16; ++stride) {
     CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "stride", gcv_polygon_create(xy, 3, stride, &polygon));
+  }
+  for (k = 0; k < sizeof huge / sizeof *huge; ++k) {
+    CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "vertex_count is 3: with stride_bytes ",
+                  gcv_polygon_create(xy, 3, huge[k], &polygon));
   }
   CHECK(polygon == NULL);
 }

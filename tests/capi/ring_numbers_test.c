@@ -16,6 +16,11 @@ static const struct rings plate = {
                    1, 1, 2, 1, 3, 1, 3, 3, 1, 3, 1,    1,          /* counter-clockwise */
                    6, 6, 5, 6, 5, 7, 6, 7, 6, 6}};                 /* clockwise */
 
+static const struct rings clockwise_crossing = {
+    2, {4, 4}, {0, 0, 0, 10, 10, 10, 10, 0, -1, 1, 1, 1, 1, 2, -1, 2}};
+static const struct rings hole_outside = {
+    2, {4, 4}, {0, 0, 10, 0, 10, 10, 0, 10, 21, 21, 20, 21, 20, 20, 21, 20}};
+
 static void normalised(void) {
   gcv_polygon *polygon = polygon_of_rings(&plate);
   double area = -1, bounds[4];
@@ -109,6 +114,14 @@ static void messages(void) {
   CHECK_REFUSED(GCV_ERR_NOT_SIMPLE, "rings 0 and 2 cross: edges 2 and 1",
                 create_rings(&rings, &polygon));
 
+  /* Against the caller's direction, too, a vertex has its own number and place: the outer ring is
+   * clockwise, and so is the hole that the message names by its smallest vertex. */
+  CHECK_REFUSED(GCV_ERR_NOT_SIMPLE,
+                "edges 0 and 6 meet; they have an end in vertex 1 (0, 10) and in vertex 7 (-1, 2)",
+                create_rings(&clockwise_crossing, &polygon));
+  CHECK_REFUSED(GCV_ERR_NOT_SIMPLE, "lies outside ring 0: edge 5 has an end in vertex 6 (20, 20)",
+                create_rings(&hole_outside, &polygon));
+
   /* Rings that meet themselves. */
   rings = plate;
   rings.xy[30] = 5.25; /* vertex 15 */
@@ -186,6 +199,7 @@ static void strided(size_t stride, size_t offset) {
 
 static void strides(void) {
   const size_t good[] = {0, 16, 17, 24, 40};
+  const size_t huge[] = {(size_t)-16, (size_t)PTRDIFF_MAX + 1, (size_t)PTRDIFF_MAX / 17};
   gcv_polygon *polygon = NULL;
   size_t k, stride;
   for (k = 0; k < sizeof good / sizeof *good; ++k) {
@@ -195,6 +209,10 @@ static void strides(void) {
   for (stride = 1; stride < 16; ++stride) {
     CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "stride",
                   gcv_polygon_create_rings(plate.xy, plate.sizes, 3, stride, &polygon));
+  }
+  for (k = 0; k < sizeof huge / sizeof *huge; ++k) {
+    CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "ring_sizes: with stride_bytes ",
+                  gcv_polygon_create_rings(plate.xy, plate.sizes, 3, huge[k], &polygon));
   }
   CHECK(polygon == NULL);
 }

@@ -174,6 +174,9 @@ static void stats(void) {
   CHECK_OK(gcv_outer_face_stats(face, &exact));
   CHECK(exact.struct_size == sizeof exact);
   CHECK(exact.walk_steps >= 4 && exact.vertices_repaired == 0 && exact.parts_dropped == 0);
+  for (k = sizeof exact.struct_size; k < offsetof(gcv_stats, walk_steps); ++k) {
+    CHECK(((const unsigned char *)&exact)[k] == 0); /* no byte is left to chance */
+  }
 
   CHECK_OK(gcv_outer_face_stats(again, &repeated));
   CHECK(exact.walk_steps == repeated.walk_steps);

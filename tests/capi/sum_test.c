@@ -229,6 +229,72 @@ static void exact_indices(void) {
   gcv_polygon_destroy(block);
 }
 
+/* Outward no vertex is where the exact one is. Each stands for the one whose edge leads on along
+ * the edge from there, in outer faces, in regions and in inner fits. */
+static void outward_indices(void) {
+  static const uint64_t all[] = {0, 1, 2, 3};
+  const double reference[2] = {0.1, 0.2};
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_polygon *a = POLYGON(0.1, 0.1, 0.3, 0.1, 0.3, 0.3, 0.1, 0.3);
+  gcv_polygon *b = POLYGON(0.2, 0.2, 0.7, 0.2, 0.7, 0.7, 0.2, 0.7);
+  gcv_outer_face *face = NULL;
+  gcv_region *regions[2] = {NULL, NULL};
+  uint64_t indices[MOST_VERTICES];
+  size_t k, required = 0;
+  options.rounding = GCV_ROUND_OUTWARD;
+  CHECK_OK(gcv_minkowski_sum(a, b, &options, &face));
+  CHECK(exact_indices_are(face, all, 4));
+  CHECK_OK(gcv_minkowski_sum_region(a, b, &options, &regions[0]));
+  CHECK_OK(gcv_inner_fit_region(b, a, reference, &options, &regions[1]));
+  for (k = 0; k < 2; ++k) {
+    CHECK_OK(gcv_region_exact_indices(regions[k], indices, MOST_VERTICES, &required));
+    CHECK(required == 4 && memcmp(indices, all, sizeof all) == 0);
+    gcv_region_destroy(regions[k]);
+  }
+  gcv_outer_face_destroy(face);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
+/* A vertex that was moved apart from others stands for the exact one that it was. */
+static void repaired_indices(void) {
+  /* A slot 2 wide and a peg 2 x 2, both turned by the same angle: the slot of the sum is a segment
+   * but for roundings. */
+  const double sine = -0.4520786680204372, cosine = -0.8919780703138768;
+  static const double slot[] = {0, 0, 6, 0, 6, 4, 4, 4, 4, 1, 2, 1, 2, 4, 0, 4};
+  static const double peg[] = {0, 0, 2, 0, 2, 2, 0, 2};
+  const double reference[2] = {0, 0};
+  double turned_slot[16], turned_peg[8];
+  gcv_polygon *a = NULL, *b = NULL;
+  gcv_outer_face *face = NULL;
+  gcv_region *region = NULL;
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
+  uint64_t of_face[MOST_VERTICES], of_region[MOST_VERTICES];
+  size_t k, in_face = 0, in_region = 0;
+  for (k = 0; k < 16; k += 2) {
+    turned_slot[k] = slot[k] * cosine - slot[k + 1] * sine;
+    turned_slot[k + 1] = slot[k] * sine + slot[k + 1] * cosine;
+  }
+  for (k = 0; k < 8; k += 2) {
+    turned_peg[k] = peg[k] * cosine - peg[k + 1] * sine;
+    turned_peg[k + 1] = peg[k] * sine + peg[k + 1] * cosine;
+  }
+  CHECK_OK(gcv_polygon_create(turned_slot, 8, 0, &a));
+  CHECK_OK(gcv_polygon_create(turned_peg, 4, 0, &b));
+  CHECK_OK(gcv_no_fit_polygon(a, b, reference, NULL, &face));
+  CHECK_OK(gcv_outer_face_stats(face, &stats));
+  CHECK(stats.vertices_repaired > 0);
+  CHECK_OK(gcv_outer_face_exact_indices(face, of_face, MOST_VERTICES, &in_face));
+  for (k = 0; k < in_face; ++k) CHECK(of_face[k] == k);
+  CHECK_OK(gcv_no_fit_region(a, b, reference, NULL, &region));
+  CHECK_OK(gcv_region_exact_indices(region, of_region, MOST_VERTICES, &in_region));
+  CHECK(in_region >= in_face && memcmp(of_face, of_region, in_face * sizeof *of_face) == 0);
+  gcv_outer_face_destroy(face);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 static void out_of_range(void) {
   const double reference[2] = {-1.7e308, 0}, away[2] = {1.7e308, 0};
   gcv_polygon *right = POLYGON(1.7e308, 0, 1.7e308, 1, 1.6e308, 0);
@@ -274,6 +340,8 @@ int main(void) {
   rings_go_on();
   wkt_round_trip();
   exact_indices();
+  outward_indices();
+  repaired_indices();
   out_of_range();
   destroy_polygons();
   return check_failures != 0;

@@ -10,8 +10,9 @@ enum { MOST_EDGES = 16 };
 static void edges_are(const gcv_polygon *a, const gcv_polygon *b, const gcv_superset_edge *expected,
                       size_t count) {
   gcv_superset *superset = NULL;
-  gcv_superset_edge edges[MOST_EDGES] = {{0}};
-  size_t required = 0, k;
+  gcv_superset_edge edges[MOST_EDGES];
+  size_t required = 0, k, byte;
+  memset(edges, 0xa5, sizeof edges);
   CHECK_OK(gcv_superset_create(a, b, &superset));
   CHECK_OK(gcv_superset_edges(superset, edges, MOST_EDGES, &required));
   CHECK(required == count);
@@ -21,6 +22,9 @@ static void edges_are(const gcv_polygon *a, const gcv_polygon *b, const gcv_supe
         !CHECK(memcmp(&e->source, &f->source, sizeof e->source) == 0)) {
       fprintf(stderr, "  edge %d is {%g, %g, %g, %g, {%d, %u, %u}}\n", (int)k, e->x0, e->y0, e->x1,
               e->y1, (int)e->source.kind, e->source.a, e->source.b);
+    }
+    for (byte = offsetof(gcv_superset_edge, source) + sizeof e->source; byte < sizeof *e; ++byte) {
+      CHECK(((const unsigned char *)e)[byte] == 0); /* no byte is left to chance */
     }
   }
   gcv_superset_destroy(superset);

@@ -18,11 +18,17 @@ namespace {
 
 using test::Random;
 
-// Doubles are exact here: the vertices are small integers, and edges are level or upright.
-double square_of_distance(const Point& p, const Point& a, const Point& b) {
-  const double x = std::min(std::max(p.x, std::min(a.x, b.x)), std::max(a.x, b.x)) - p.x;
-  const double y = std::min(std::max(p.y, std::min(a.y, b.y)), std::max(a.y, b.y)) - p.y;
-  return x * x + y * y;
+double distance(const Point& p, const Point& a, const Point& b) {
+  const double x = std::clamp(p.x, std::min(a.x, b.x), std::max(a.x, b.x)) - p.x;
+  const double y = std::clamp(p.y, std::min(a.y, b.y), std::max(a.y, b.y)) - p.y;
+  return std::hypot(x, y);
+}
+
+// How far the edge from p to q is from that from a to b, which is level or upright.
+double distance(const Point& p, const Point& q, const Point& a, const Point& b) {
+  const bool is_against = (q.x - p.x) * (b.x - a.x) + (q.y - p.y) * (b.y - a.y) < 0;
+  return std::max(distance(p, a, b), distance(q, a, b)) +
+         (is_against ? std::hypot(q.x - p.x, q.y - p.y) : 0);
 }
 
 TEST(ExactIndices, AreThoseOfTheClosestEdges) {
@@ -53,14 +59,38 @@ TEST(ExactIndices, AreThoseOfTheClosestEdges) {
         ASSERT_EQ(found[n], static_cast<std::size_t>(equal - ring.begin()));
         continue;
       }
-      const auto square_of = [&](std::size_t edge) {
-        return square_of_distance(points[n], ring[edge], ring[cyclic_next(edge, ring.size())]);
+      const auto distance_of = [&](std::size_t edge) {
+        return distance(points[n], points[cyclic_next(n, points.size())], ring[edge],
+                        ring[cyclic_next(edge, ring.size())]);
       };
       for (std::size_t edge = 0; edge < ring.size(); ++edge) {
-        ASSERT_LE(square_of(found[n]), square_of(edge));
+        ASSERT_LE(distance_of(found[n]), distance_of(edge) * (1 + 1e-12));
       }
     }
   }
+}
+
+// Moved outward, a corner is as close to the edge that ends there as to the one that begins there.
+// The edge from the returned vertex lies along the latter.
+TEST(ExactIndices, LeadAlongTheEdges) {
+  Task task;
+  const PointVector square{{0, 0}, {9, 0}, {9, 9}, {0, 9}};
+  const PointVector around{{-1, -1}, {10, -1}, {10, 10}, {-1, 10}};
+  EXPECT_EQ(closest_edges(square, around, task), (std::vector<std::size_t>{0, 1, 2, 3}));
+  // Both walls of the slit are as close to each other.
+  const PointVector slit{{0, 0}, {9, 0}, {9, 9}, {4, 9}, {4, 1}, {3.5, 9}, {0, 9}};
+  const PointVector near{{-1, -1}, {10, -1}, {10, 10}, {4.25, 10}, {4, 1}, {3.25, 10}, {-1, 10}};
+  EXPECT_EQ(closest_edges(slit, near, task), (std::vector<std::size_t>{0, 1, 2, 3, 4, 5, 6}));
+}
+
+TEST(ExactIndices, OfDistinctPlacesAreTheFirst) {
+  const PointVector places{{1, 1}, {2, 0}, {2, 0}, {3, 3}, {0, 2}, {1, 1}};
+  const DistinctPlaces as_they_are = distinct_places(places, 7, false);
+  EXPECT_EQ(as_they_are.places, (PointVector{{1, 1}, {2, 0}, {3, 3}, {0, 2}}));
+  EXPECT_EQ(as_they_are.indices, (std::vector<std::uint64_t>{7, 8, 10, 11}));
+  const DistinctPlaces from_smallest = distinct_places(places, 7, true);
+  EXPECT_EQ(from_smallest.places, (PointVector{{0, 2}, {1, 1}, {2, 0}, {3, 3}}));
+  EXPECT_EQ(from_smallest.indices, (std::vector<std::uint64_t>{11, 7, 8, 10}));
 }
 
 // All edges of a regular polygon are as close to its centre.

@@ -94,6 +94,15 @@ TEST(RegionRings, TheSmallestThatIsInTheWayIsDroppedUnlessItIsFixed) {
   EXPECT_EQ(fixed.dropped(), (std::vector{false, true, false}));
 }
 
+TEST(RegionRings, WhatOnlyDroppedRingsAreInTheWayOfStays) {
+  Tally tally;
+  Rounded chain({square(0, 0, 30), hole(12, 12, 3), hole(8, 8, 5), hole(1, 1, 9)});
+  chain.rings.rings.back().replaced = hole(1, 1, 9);
+  make_valid(chain.rings, tally);
+  EXPECT_EQ(chain.dropped(), (std::vector{false, false, true, false}));
+  EXPECT_EQ(chain.rings.dropped, 1U);
+}
+
 TEST(RegionRings, PolygonsInsideOfOthersAreDropped) {
   Tally tally;
   Rounded islands({square(0, 0, 10), hole(1, 1, 5), square(2, 2, 1), square(7, 7, 1),

@@ -105,7 +105,7 @@ TEST(Region, IsRoundedToTheSafeSide) {
 TEST(Region, LocatesItsCorners) {
   for_each_case(40, [](const test::RegionCase& c) {
     const Region region = region_of(c);
-    if (region.rounded.displacement != 0) {
+    if (region.rounded.error_bound != 0) {
       return;
     }
     const RegionLocator locator(region.exact);

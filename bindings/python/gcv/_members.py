@@ -8,6 +8,7 @@ The base class of scenes. It copies, pickles and draws them, too.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from copy import deepcopy
 from ctypes import byref, c_uint64, sizeof
 from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, Union, overload
 
@@ -278,13 +279,16 @@ class Members:
             made._gate, made._handle, made._container = Gate(), handle, self._container
             made._polygons, made._layers = dict(self._polygons), dict(self._layers)
             made._last, made._vertices = self._last, self._vertices
+        _attributes(made).update(_attributes(self))
         return made
 
     def __copy__(self: _MembersType) -> _MembersType:
         return self.copy()
 
-    def __deepcopy__(self: _MembersType, _memo: object) -> _MembersType:
-        return self.copy()
+    def __deepcopy__(self: _MembersType, memo: dict[int, Any]) -> _MembersType:
+        made = self.copy()
+        _attributes(made).update(deepcopy(_attributes(self), memo))
+        return made
 
     def __len__(self) -> int:
         """The number of members."""
@@ -336,10 +340,12 @@ class Members:
         ground = [] if container is None else placed(container, (0, 0))
         return ground, [placed(*member) for member in zip(polygons, places)]
 
-    def __reduce__(self) -> tuple[Callable[..., Members], tuple[Any, ...]]:
+    def __reduce__(
+        self,
+    ) -> tuple[Callable[..., Members], tuple[Any, ...], Optional[dict[str, Any]]]:
         with self._gate.asking():
             state = dict(self._polygons), self._all_positions(), dict(self._layers), self._last
-            return _restored, (type(self), self._container, *state)
+            return _restored, (type(self), self._container, *state), _attributes(self) or None
 
     def _all_positions(self) -> bytes:
         """The positions of all members, as doubles."""
@@ -352,6 +358,11 @@ class Members:
 def _pairs(positions: Any) -> tuple[bytes, bool]:
     """The doubles of one position or of many, and whether it is one."""
     return point_or_points(positions, "positions", "a pair of numbers, nor a sequence of pairs")
+
+
+def _attributes(scene: Members) -> dict[str, Any]:
+    """The attributes that a class derived from Scene has beside its own."""
+    return getattr(scene, "__dict__", {})
 
 
 def _in_common(counts: dict[str, Optional[int]], ids: Any = ()) -> int:
@@ -382,7 +393,8 @@ def _restored(
     The library gives out ids one after the other. So members for all of them are added, and
     those for ids that are not in use are removed again.
     """
-    scene = kind(container)
+    scene = kind.__new__(kind)
+    Members.__init__(scene, container)
     places = dict(zip(polygons, points(positions)))
     none = Polygon([(0, 0), (1, 0), (0, 1)]), (0.0, 0.0)
     for start in range(_FIRST_ID, last + 1, _IDS_AT_A_TIME):

@@ -124,3 +124,30 @@ def test_plot() -> None:
     assert not left.patches
     assert not right.patches
     pyplot.close("all")
+
+
+class Wall(gcv.Scene):
+    """Has no container to be made with, and attributes of its own."""
+
+    def __init__(self, name: str = "wall") -> None:
+        super().__init__()
+        self.name = name
+        self.notes: list[str] = []
+
+
+@pytest.mark.parametrize(
+    "again_of",
+    [gcv.Scene.copy, copy.copy, copy.deepcopy, lambda wall: pickle.loads(pickle.dumps(wall))],
+)
+def test_derived_classes_keep_what_they_add(again_of: Callable[[Wall], Wall]) -> None:
+    wall = Wall("north")
+    wall.container = [(0, 0), (5, 0), (5, 5), (0, 5)]
+    wall.add(BLOCK, [(1, 1), (2, 1)])
+    wall.notes.append("dry")
+    again = again_of(wall)
+    assert type(again) is Wall
+    assert (again.name, again.notes) == ("north", ["dry"])
+    assert again.container == wall.container
+    assert again.positions().tolist() == [[1, 1], [2, 1]]
+    shares = again_of in (gcv.Scene.copy, copy.copy)
+    assert (again.notes is wall.notes) == shares

@@ -4,8 +4,10 @@
 
 from __future__ import annotations
 
+import os
 import signal
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Callable
 
@@ -227,3 +229,82 @@ def test_a_long_change_is_made_as_a_whole() -> None:
             scene.add(polygons)
     assert scene.ids.tolist() == list(scene)
     assert len(scene) % 100 == 0
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")
+def test_forked_processes_do_not_wait_for_threads_of_their_parents() -> None:
+    scene, changing = row(), row()
+    asked, go = threading.Event(), threading.Event()
+
+    def wait(*_: object) -> None:
+        asked.set()
+        assert go.wait(30)
+
+    def change() -> None:
+        with changing._gate.changing():
+            wait()
+
+    workers = [
+        threading.Thread(target=lambda: scene.relation(BLOCK, (1, 0), progress=wait)),
+        threading.Thread(target=change),
+    ]
+    for worker in workers:
+        asked.clear()
+        worker.start()
+        assert asked.wait(30)
+    child = os.fork()
+    if child == 0:
+        signal.alarm(30)  # it ends, whatever it waits for
+        scene.move(2, (0, 5))
+        is_right = scene.positions(2) == (0, 5)
+        try:
+            changing.relation(BLOCK, (1, 0))
+        except RuntimeError as error:
+            is_right = is_right and "when the process forked" in str(error)
+            os._exit(not is_right)
+        os._exit(2)
+    _, status = os.waitpid(child, 0)
+    go.set()
+    for worker in workers:
+        worker.join()
+    assert status == 0
+    scene.move(2, (0, 5))
+
+
+def test_a_forked_process_goes_on_with_its_own_question() -> None:
+    gate = Gate()
+    with gate.asking():
+        gate._after_fork()
+        refused = pytest.raises(RuntimeError, match=r"^the scene is being asked: ")
+        with refused, gate.changing():
+            pass
+    with gate.changing():
+        gate._after_fork()
+    with gate.asking():
+        pass
+
+
+QUESTIONS_ABOUT_ALL: list[Callable[[gcv.Scene, Any], object]] = [
+    lambda scene, stop: scene.pairs(1e4, progress=stop),
+    lambda scene, stop: scene.contacts(20, progress=stop),
+    lambda scene, stop: scene.contacts(20, threads=2, progress=stop),
+]
+
+
+@pytest.mark.parametrize("question", QUESTIONS_ABOUT_ALL)
+def test_questions_about_all_members_end_soon(question: Callable[..., object]) -> None:
+    """Where one block of members takes long, too."""
+    scene = gcv.Scene()
+    scene.add([star(100, seed) for seed in range(60)], [(k % 8, k // 8) for k in range(60)])
+    scene.add(SQUARE, [(30 + 2 * (k % 40), 2 * (k // 40)) for k in range(2000)])
+    stopped: list[float] = []
+
+    def stop(_done: int, _estimate: int) -> None:
+        if not stopped and time.perf_counter() > begun + 0.05:
+            stopped.append(time.perf_counter())
+            raise TimeIsUpError
+
+    begun = time.perf_counter()
+    with pytest.raises(TimeIsUpError):
+        question(scene, stop)
+    assert time.perf_counter() < stopped[0] + 0.3

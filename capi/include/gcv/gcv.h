@@ -378,8 +378,7 @@ enum {
 
 /** What a computation leaves out, to save time: bits of gcv_options.leave_out. @since 0.2 */
 enum {
-  /** The holes of a sum. Not for inner fits and free positions in scenes: obstacles would be free
-   *  there. */
+  /** The holes of a sum. Not for inner fits and scenes: obstacles would be free there. */
   GCV_LEAVE_OUT_HOLES = 1,
   /** Segments and points: positions where one polygon fits the other exactly. */
   GCV_LEAVE_OUT_FITS = 2
@@ -401,7 +400,7 @@ typedef struct gcv_options {
    *  most half of the tolerance (see gcv_polygon_simplified), if that saves a quarter
    *  of its vertices. The exact ring is then that of the simplified polygons. With
    *  GCV_ROUND_OUTWARD the result still contains the exact sum. Must be 0 for inner fits, for
-   *  ways out of overlaps and for free positions in scenes. */
+   *  ways out of overlaps and for scenes. */
   double tolerance;
   /** The number of threads that work on the sum, the calling one included. 1 by
    *  default; 0 for as many as the machine runs at once; above 256 counts as 256. The
@@ -656,7 +655,8 @@ enum {
  * Where an edge of the sum comes from. a is a vertex or edge number of A, b one of
  * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
  * vertex k to k+1. Merged collinear edges have the number of the first along the
- * counter-clockwise ring. A vertex passed several times in a row has its last number.
+ * normalised ring: counter-clockwise, holes clockwise. A vertex passed several times in
+ * a row has its last number.
  * A closing vertex counts as vertex 0.
  */
 typedef struct gcv_edge_source {
@@ -1620,7 +1620,10 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint6
  * @param out      a new handle, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for a window, a query, options,
  *         or where neither a window nor a container bounds the region; GCV_ERR_NOT_FINITE;
- *         GCV_ERR_RANGE; GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ *         GCV_ERR_RANGE where a coordinate of the result is no finite double, where the window is
+ *         too large, or too far from the rest, for doubles to tell its sides apart, and, with
+ *         GCV_ROUND_OUTWARD, where a hole is too small for doubles; GCV_ERR_CANCELLED;
+ *         GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: as gcv_inner_fit_region. Cost: that of the inner fit of a container with all vertices
  * of the members that can be reached. Threads: any. @since 0.2
  */
@@ -1665,7 +1668,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_best(const gcv_scene *scene, const gc
  * @param positions  x0 y0 x1 y1 ..., finite.
  * @param count      the number of positions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_relation; GCV_ERR_INVALID_ARGUMENT for a query, too.
  * Exactness: exact. Cost: O(log n), and gcv_relation for each member whose box comes near.
@@ -1688,7 +1691,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_relation(const gcv_scene *scene,
  * @param positions  x0 y0 x1 y1 ..., finite.
  * @param count      the number of positions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_scene_relation; GCV_ERR_RANGE where a result is beyond the largest double.
  * Exactness: as gcv_distance. Cost: O(log n), and gcv_distance for members whose boxes are as near.
@@ -1733,7 +1736,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(const gcv_scene *scene,
  * @param motions    from each position to position + motion, finite.
  * @param count      the number of positions and of motions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_scene_distance.
  * Exactness: as gcv_cast. Cost: gcv_cast for the members whose boxes the motion meets.
@@ -1765,7 +1768,7 @@ typedef struct gcv_pair_list gcv_pair_list;
  * @param position  finite.
  * @param distance  finite, not negative.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance; or NULL for the defaults.
  * @param out       the new list, the caller's.
  * @return as gcv_scene_relation; GCV_ERR_INVALID_ARGUMENT for a negative distance.
  * Exactness: exact. Cost: as gcv_scene_relation. Threads: any. @since 0.2
@@ -1784,7 +1787,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_near(const gcv_scene *scene, const gc
  *                  for none.
  * @param distance  finite, not negative.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance; or NULL for the defaults.
  * @param out       the new list, the caller's.
  * @return as gcv_scene_near; GCV_ERR_INVALID_ARGUMENT for a list of another scene or of
  *         gcv_scene_near.
@@ -1822,7 +1825,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_pair_list_pairs(const gcv_pair_list *list, 
  * @param distance  contacts whose |gap| is at most this are given: finite, not negative.
  * @param slope     as in gcv_contacts.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance; or NULL for the defaults.
  * @param out       the new list, the caller's: by |gap|, then id_a, id_b, kind, a, b.
  * @return as gcv_scene_pairs; GCV_ERR_RANGE where a result is beyond the largest double.
  * Exactness: as gcv_contacts. Cost: as gcv_scene_pairs, and gcv_contacts for each pair.
