@@ -41,6 +41,16 @@ class Scale {
   double size_;
 };
 
+double distance(const TreePoint& p, const Segment& segment) {
+  const double dx = segment.second.x() - segment.first.x();
+  const double dy = segment.second.y() - segment.first.y();
+  const double x = p.x() - segment.first.x();
+  const double y = p.y() - segment.first.y();
+  const double square = dx * dx + dy * dy;
+  const double t = square > 0 ? std::clamp((x * dx + y * dy) / square, 0.0, 1.0) : 0;
+  return std::sqrt((x - t * dx) * (x - t * dx) + (y - t * dy) * (y - t * dy));
+}
+
 // An edge of one ring among those of another.
 class ClosestEdge {
  public:
@@ -58,10 +68,10 @@ class ClosestEdge {
       double furthest = 0;
       std::size_t first = 0;
       for (const auto& [edge, index] : edges) {
-        const double d = distance(edge);
+        const double d = distance_of(edge);
         first = d > least ? first : d < least ? index : std::min(first, index);
         least = std::min(least, d);
-        furthest = std::max(furthest, bg::distance(middle_, edge));
+        furthest = std::max(furthest, distance(middle_, edge));
       }
       if (furthest > least || edges.size() < count) {
         return first;
@@ -70,13 +80,13 @@ class ClosestEdge {
   }
 
  private:
-  [[nodiscard]] double distance(const Segment& edge) const {
+  [[nodiscard]] double distance_of(const Segment& edge) const {
     const double dx = to_.x() - from_.x();
     const double dy = to_.y() - from_.y();
     const bool is_against =
         dx * (edge.second.x() - edge.first.x()) + dy * (edge.second.y() - edge.first.y()) < 0;
-    return std::max(bg::distance(from_, edge), bg::distance(to_, edge)) +
-           (is_against ? std::hypot(dx, dy) : 0);
+    return std::max(distance(from_, edge), distance(to_, edge)) +
+           (is_against ? std::sqrt(dx * dx + dy * dy) : 0);
   }
 
   TreePoint from_;
