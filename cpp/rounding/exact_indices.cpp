@@ -58,7 +58,8 @@ class ClosestEdge {
       : from_(from), to_(to), middle_((from.x() + to.x()) / 2, (from.y() + to.y()) / 2) {}
 
   // The first of the closest ones. No edge is further from the middle than from both ends. So more
-  // and more of those near that are looked at, until the others are too far away.
+  // and more of those near that are looked at, until the others are too far away, with room for
+  // roundings: which of those that are as near the tree gives first depends on how it was made.
   [[nodiscard]] std::size_t in(const Tree& tree) const {
     std::vector<TreeEdge> edges;
     for (unsigned count = 4;; count *= 4) {
@@ -73,7 +74,7 @@ class ClosestEdge {
         least = std::min(least, d);
         furthest = std::max(furthest, distance(middle_, edge));
       }
-      if (furthest > least || edges.size() < count) {
+      if (furthest > least + 0x1p-45 || edges.size() < count) {
         return first;
       }
     }
