@@ -65,6 +65,12 @@ std::shared_ptr<const Polygon> square(double d) {
   return std::make_shared<const Polygon>(PointVector{{-d, -d}, {d, -d}, {d, d}, {-d, d}}, "square");
 }
 
+// At least the extents of what is dropped, whose vertices are off these by the error.
+double dropped_bound(std::span<const Point> points, double error) {
+  const Box box = box_of(points);
+  return exact_extents_bound(length_bound(box.x1 - box.x0, box.y1 - box.y0), error);
+}
+
 class SafeRounder {
  public:
   SafeRounder(const RegionWithSquare& with_square, Task& task, Tally& tally)
@@ -127,9 +133,13 @@ class SafeRounder {
         continue;
       }
       const auto begin = is_left.begin() + static_cast<std::ptrdiff_t>(part.first);
-      if (std::find(begin, begin + static_cast<std::ptrdiff_t>(part.size), true) ==
-          begin + static_cast<std::ptrdiff_t>(part.size)) {
+      const auto end = begin + static_cast<std::ptrdiff_t>(part.size);
+      if (std::find(begin, end, true) == end) {
         ++safe.parts_dropped;
+        const std::span<const Point> all = nearest.vertices;
+        safe.error_bound =
+            std::max(safe.error_bound,
+                     dropped_bound(all.subspan(part.first, part.size), nearest.error_bound));
       }
     }
     return safe;
@@ -201,10 +211,8 @@ RoundedRegion island_inward(const ExactRegion& island, const RegionWithSquare& f
   if (auto safe = SafeRounder(fits_of, task, tally).run(nearest)) {
     return std::move(*safe);
   }
-  const Box box = box_of(std::span<const Point>(nearest.vertices));
   RoundedRegion nothing;
-  nothing.error_bound =
-      exact_extents_bound(length_bound(box.x1 - box.x0, box.y1 - box.y0), nearest.error_bound);
+  nothing.error_bound = dropped_bound(nearest.vertices, nearest.error_bound);
   nothing.parts_dropped = island.parts.size();
   return nothing;
 }

@@ -287,6 +287,30 @@ static void corridor_of_an_ulp(void) {
   gcv_polygon_destroy(container);
 }
 
+/* What rounding outward leaves nothing of counts with its extents: here all, 98 wide and 59 high.
+ */
+static void extents_of_what_is_dropped(void) {
+  const double reference[2] = {0x1p56 + 62848, -0x1p56};
+  gcv_polygon *container =
+      POLYGON(-24, -20, -29, -22, -42, -13, -44, 13, -6, 7, -19, 35, -2, 26, 3, 35, 54, -11, 47,
+              -27, 34, -22, 33, -26, 13, -18, 10, -15, 9, -28, 5, -39);
+  gcv_polygon *bar = POLYGON(0, 0, 0, -1, -5, -1, -5, 0);
+  gcv_options options = GCV_OPTIONS_INIT;
+  gcv_region *region = NULL;
+  gcv_stats stats = {sizeof stats, 0, 0, 0, 0, 0, 0, 0};
+  double bound = 0;
+  size_t count = 9;
+  options.rounding = GCV_ROUND_OUTWARD;
+  CHECK_OK(gcv_inner_fit_region(container, bar, reference, &options, &region));
+  CHECK_OK(gcv_region_vertices(region, NULL, 0, &count));
+  CHECK_OK(gcv_region_stats(region, &stats));
+  CHECK_OK(gcv_region_error_bound(region, &bound));
+  CHECK(count == 0 && stats.parts_dropped == 1 && bound >= 114.459469933257);
+  gcv_region_destroy(region);
+  gcv_polygon_destroy(container);
+  gcv_polygon_destroy(bar);
+}
+
 int main(void) {
   in_a_box();
   around_holes();
@@ -300,5 +324,6 @@ int main(void) {
   lost_fit();
   position_between_doubles();
   corridor_of_an_ulp();
+  extents_of_what_is_dropped();
   return check_failures != 0;
 }
