@@ -19,8 +19,19 @@ namespace gcv {
 
 namespace {
 
-// A boundary in preparation. Each point has the caller's number of the vertex and that of the edge
-// behind it. The turn at a point is 1 for left, -1 for right, 0 for straight on or back.
+// Without the closing vertex.
+std::size_t open_size(const PointVector& boundary) {
+  std::size_t count = boundary.size();
+  while (count > 1 && boundary[count - 1] == boundary[0]) {
+    --count;
+  }
+  return count;
+}
+
+// A boundary in preparation, without the closing vertex and repeated vertices. Of equal vertices in
+// a row it has the last, because the edge behind the last leads on. Each point has the caller's
+// number of the vertex and that of the edge behind it. The turn at a point is 1 for left, -1 for
+// right, 0 for straight on or back.
 struct Chain {
   struct Mark {
     Index vertex_number;
@@ -30,9 +41,26 @@ struct Chain {
   PointVector points;
   boost::container::small_vector<Mark, 32> marks;
 
-  // Of so many of the points. Their marks are not written.
-  Chain(PointVector boundary, std::size_t count)
-      : points(std::move(boundary)), marks(count, boost::container::default_init) {}
+  Chain(PointVector boundary, const CallersNumbers& numbers)
+      : points(std::move(boundary)), marks(open_size(points), boost::container::default_init) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < marks.size(); ++i) {
+      const Point p = points[i];
+      if (i + 1 < marks.size() && points[i + 1] == p) {
+        continue;
+      }
+      // Adding 0 turns -0 into 0.
+      points[kept] = {p.x + 0.0, p.y + 0.0};
+      const auto number = static_cast<Index>(numbers.first + i);
+      marks[kept++] = numbers.corners.empty() ? Mark{number, number, 0}
+                                              : Mark{numbers.corners[i].vertex_number,
+                                                     numbers.corners[i].edge_number, 0};
+    }
+    points.resize(kept);
+    marks.resize(kept, boost::container::default_init);
+  }
+  Chain(const Chain&) = delete;
+  Chain& operator=(const Chain&) = delete;
 
   [[nodiscard]] std::size_t size() const { return points.size(); }
   [[nodiscard]] std::size_t next(std::size_t i) const { return cyclic_next(i, size()); }
@@ -49,32 +77,6 @@ void check_finite(std::span<const Point> boundary, const CallersNumbers& numbers
           name, std::isfinite(p.x) ? "y" : "x", numbers.first + i, std::isfinite(p.x) ? p.y : p.x);
     }
   }
-}
-
-// Leaves out the closing vertex and repeated vertices. Of equal vertices in a row it keeps the
-// last, because the edge behind the last leads on.
-Chain without_repetitions(PointVector boundary, const CallersNumbers& numbers) {
-  std::size_t count = boundary.size();
-  while (count > 1 && boundary[count - 1] == boundary[0]) {
-    --count;
-  }
-  Chain chain(std::move(boundary), count);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const Point p = chain.points[i];
-    if (i + 1 < count && chain.points[i + 1] == p) {
-      continue;
-    }
-    // Adding 0 turns -0 into 0.
-    chain.points[kept] = {p.x + 0.0, p.y + 0.0};
-    const auto number = static_cast<Index>(numbers.first + i);
-    chain.marks[kept++] = numbers.corners.empty() ? Chain::Mark{number, number, 0}
-                                                  : Chain::Mark{numbers.corners[i].vertex_number,
-                                                                numbers.corners[i].edge_number, 0};
-  }
-  chain.points.resize(kept);
-  chain.marks.resize(kept, boost::container::default_init);
-  return chain;
 }
 
 void find_turns(Chain& chain) {
@@ -173,7 +175,7 @@ Boundary make_ring(PointVector boundary, const char* name, Boundary::Kind kind,
                 numbers.first + given, vertex_limit);
   }
   check_finite(boundary, numbers, name);
-  Chain chain = without_repetitions(std::move(boundary), numbers);
+  Chain chain(std::move(boundary), numbers);
   if (chain.size() < 3) {
     throw Error(Status::degenerate,
                 "%s: %zu distinct consecutive vertices of %zu, at least 3 are needed", name,

@@ -95,7 +95,9 @@ class Nesting {
   }
 
   // The caller's numbers of an edge and of one of its ends.
-  const Boundary::Corner& corner(const Edge& e) const { return rings_[e.ring]->corners[e.number]; }
+  [[nodiscard]] const Boundary::Corner& corner(const Edge& e) const {
+    return rings_[e.ring]->corners[e.number];
+  }
 
   // Edges of two rings, whose boxes overlap.
   void check_pair(const Edge& e, const Edge& f) {

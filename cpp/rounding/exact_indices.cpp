@@ -100,7 +100,8 @@ Tree tree_of(std::span<const Point> ring, const Scale& scale) {
   for (std::size_t k = 0; k < ring.size(); ++k) {
     edges.push_back({{scale(ring[k]), scale(ring[cyclic_next(k, ring.size())])}, k});
   }
-  return Tree(edges.begin(), edges.end());
+  Tree tree(edges.begin(), edges.end());
+  return tree;
 }
 
 }  // namespace

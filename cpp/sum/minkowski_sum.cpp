@@ -91,8 +91,8 @@ OuterFace minkowski_sum(Operand a, Operand b, const Point& shift, Rounding round
       rounding == Rounding::nearest
           ? round_to_nearest(face.exact, task, tally, parts_of_sum(pa, pb) / 2)
           : round_outward(face.exact, outer_face_of, task, tally, parts_of_sum(pa, pb) / 2);
-  face.rounded.error_bound =
-      sum_bound(face.rounded.error_bound, sum_bound(a.error_bound, b.error_bound));
+  face.rounded.error_bound = sum_bound(
+      face.rounded.error_bound, sum_bound(face.exact.a.error_bound, face.exact.b.error_bound));
   return face;
 }
 
