@@ -103,7 +103,7 @@ gcv_options read_free_options(const gcv_options* options, const char* what) {
   refuse_tolerance(known, what);
   if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {
     throw Error(Status::invalid_argument,
-                "options: leave_out has GCV_LEAVE_OUT_HOLES, which %s do not take", what);
+                "options: leave_out has GCV_LEAVE_OUT_HOLES; %s have all of their holes", what);
   }
   return known;
 }

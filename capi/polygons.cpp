@@ -307,7 +307,8 @@ gcv_status gcv_polygon_simplified(const gcv_polygon* polygon, double tolerance, 
     require(error_bound, "error_bound");
     gcv::capi::check_tolerance(tolerance, "");
     gcv::SimplifiedPolygon near =
-        gcv::simplify(polygon->polygon, tolerance, gcv::capi::read_rounding(rounding, ""));
+        gcv::simplify(polygon->polygon, tolerance, gcv::capi::read_rounding(rounding, ""),
+                      polygon->polygon->outer.size() - 1);
     *out = new gcv_polygon(std::move(near.polygon));
     *error_bound = near.error_bound;
   });

@@ -84,7 +84,7 @@ template <class Result, class Answer>
 void give_answers(const Question& question, Result* out, Answer answer) {
   require(question.scene, "scene");
   require(question.moving, "moving");
-  const gcv_options options = read_free_options(question.options, "questions about scenes");
+  const gcv_options options = read_free_options(question.options, "scenes");
   const Query query = read_query(question.query);
   if (question.count == 0) {
     return;

@@ -134,13 +134,14 @@ Simplified simplify(const std::shared_ptr<const Boundary>& ring, double toleranc
 }
 
 SimplifiedPolygon simplify(const std::shared_ptr<const Polygon>& polygon, double tolerance,
-                           Rounding rounding) {
+                           Rounding rounding, std::size_t most_outer_vertices) {
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds && tolerance > 0; ++round) {
     SimplifiedPolygon result;
     const auto simplified = [&](std::size_t k) {
       const std::shared_ptr<const Boundary> ring(polygon, &polygon->ring(k));
-      const Simplified near = simplify(ring, tolerance, rounding, ring->size() - 1);
+      const Simplified near =
+          simplify(ring, tolerance, rounding, k == 0 ? most_outer_vertices : ring->size() - 1);
       result.error_bound = std::max(result.error_bound, near.error_bound);
       return *near.ring;
     };

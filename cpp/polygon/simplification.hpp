@@ -36,9 +36,9 @@ struct SimplifiedPolygon {
   double error_bound = 0;  // of all rings
 };
 
-// The same for all rings of a polygon. Cuts the tolerance if rings would cross. Returns the given
-// polygon if that does not help.
+// The same for all rings of a polygon. Keeps the given outer ring if more vertices would be left of
+// it. Cuts the tolerance if rings would cross. Returns the given polygon if that does not help.
 SimplifiedPolygon simplify(const std::shared_ptr<const Polygon>& polygon, double tolerance,
-                           Rounding rounding);
+                           Rounding rounding, std::size_t most_outer_vertices);
 
 }  // namespace gcv

@@ -79,7 +79,8 @@ RegionOperand simplified_for_sum(const RegionOperand& operand, const SumOptions&
   if (options.tolerance == 0) {
     return operand;
   }
-  const SimplifiedPolygon near = simplify(operand.polygon, options.tolerance / 2, options.rounding);
+  const SimplifiedPolygon near = simplify(operand.polygon, options.tolerance / 2, options.rounding,
+                                          most_vertices_left(operand.polygon->outer));
   return {near.polygon, operand.name, near.error_bound};
 }
 

@@ -65,10 +65,11 @@ std::uint64_t parts_of_sum(const Boundary& a, const Boundary& b) {
   return a.is_convex && b.is_convex ? 0 : estimated_steps(a, b);
 }
 
+std::size_t most_vertices_left(const Boundary& ring) { return 3 * ring.vertices.size() / 4; }
+
 Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
                               const SumOptions& options) {
-  return simplify(polygon, options.tolerance / 2, options.rounding,
-                  3 * polygon->vertices.size() / 4);
+  return simplify(polygon, options.tolerance / 2, options.rounding, most_vertices_left(*polygon));
 }
 
 OuterFace minkowski_sum(Operand a, Operand b, const Point& shift, Rounding rounding, Task& task) {

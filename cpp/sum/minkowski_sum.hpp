@@ -4,6 +4,7 @@
 // the exact outer face of the sum, rounding.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -42,9 +43,11 @@ std::uint64_t estimated_steps(const Boundary& a, const Boundary& b);
 // convex polygons, which nothing walks.
 std::uint64_t parts_of_sum(const Boundary& a, const Boundary& b);
 
+// A simplification that leaves more vertices saves no time.
+std::size_t most_vertices_left(const Boundary& ring);
+
 // An operand within half of the tolerance of the given polygon: the errors of both operands add
-// up in the sum. The polygon itself where a simplification would not save a quarter of its
-// vertices, for it would save no time.
+// up in the sum. The polygon itself where too many vertices would be left.
 Simplified simplified_for_sum(const std::shared_ptr<const Boundary>& polygon,
                               const SumOptions& options);
 

@@ -86,7 +86,7 @@ def run(
 
 def value_of(rounding: Rounding) -> int:
     """The rounding as the library takes it."""
-    if rounding not in _ffi.ROUNDINGS:
+    if not isinstance(rounding, str) or rounding not in _ffi.ROUNDINGS:
         raise _ffi.InputError(
             _ffi.INVALID_ARGUMENT, f"rounding is {rounding!r}, none of {', '.join(_ffi.ROUNDINGS)}"
         )
@@ -95,17 +95,16 @@ def value_of(rounding: Rounding) -> int:
 
 def _bits(leave_out: LeaveOut) -> int:
     """What to leave out as the library takes it."""
-    try:
-        parts = {leave_out} if isinstance(leave_out, str) else set(leave_out)
-    except TypeError:
-        parts = {leave_out}  # type: ignore[arg-type]
+    parts: tuple[Any, ...] = (leave_out,)
+    if isinstance(leave_out, Iterable) and not isinstance(leave_out, str):
+        parts = tuple(leave_out)
     for part in parts:
-        if part not in _ffi.LEAVE_OUTS:
+        if not isinstance(part, str) or part not in _ffi.LEAVE_OUTS:
             raise _ffi.InputError(
                 _ffi.INVALID_ARGUMENT,
                 f"leave_out is {part!r}, none of {', '.join(_ffi.LEAVE_OUTS)}",
             )
-    return sum(_ffi.LEAVE_OUTS[part] for part in parts)
+    return sum(_ffi.LEAVE_OUTS[part] for part in set(parts))
 
 
 def _options(

@@ -27,7 +27,8 @@ class ContactList(RecordList[Contact]):
 
     Made by contacts and Scene.contacts. It is a sequence of Contact, and array has all of
     them, of dtype CONTACT_DTYPE. Two lists are equal when all numbers of their contacts
-    are. It can be pickled; a pickled list is none that Scene.contacts takes as previous.
+    and of previous are. It can be pickled; a pickled list is none that Scene.contacts takes
+    as previous.
     """
 
     __slots__ = ("_previous",)

@@ -187,9 +187,14 @@ def point_or_points(
             return view.tobytes(), view.ndim == 1
         view = None
     values = _elements(source if view is None else view, name, what)
-    if len(values) == 2 and not any(isinstance(value, Sized) for value in values):
+    if len(values) == 2 and not any(map(_has_size, values)):
         return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
     return _doubles_of_pairs(values, lambda k: f"{name}[{k}]").tobytes(), False
+
+
+def _has_size(value: object) -> bool:
+    # Arrays of no dimensions are numbers, though they have a method for their length.
+    return isinstance(value, Sized) and getattr(value, "ndim", 1) != 0
 
 
 def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
@@ -202,6 +207,10 @@ def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
     if isinstance(source, Mapping):
         raise unfit(name, source, what)
     check_order(source, name)
+    if has_masked(source):
+        raise InputError(INVALID_ARGUMENT, f"{name}: {MASKED}")
+    if len(getattr(source, "shape", ())) == 2 and hasattr(source, "to_numpy"):
+        source = source.to_numpy()  # a frame: its elements are the names of its columns
     try:
         elements = iter(source.tolist() if isinstance(source, memoryview) else source)
     except (TypeError, NotImplementedError):
@@ -268,8 +277,8 @@ def _floats(values: tuple[Any, ...]) -> array[float]:
     that no float is, TypeError or ValueError for what is no real number.
     """
     kinds = set(map(type, values))
-    if not kinds <= _PLAIN and any(map(_is_complex, kinds)):
-        raise TypeError("a complex number is no coordinate")
+    if not kinds <= _PLAIN and any(map(_is_no_coordinate, kinds)):
+        raise TypeError("a complex number, or one behind a mask, is no coordinate")
     doubles = array("d", values)
     if kinds != _FLOATS and (max(doubles) >= _LEAST_INEXACT or min(doubles) <= -_LEAST_INEXACT):
         for value, double in zip(values, doubles):
@@ -278,8 +287,9 @@ def _floats(values: tuple[Any, ...]) -> array[float]:
     return doubles
 
 
-def _is_complex(kind: type) -> bool:
-    return issubclass(kind, Complex) and not issubclass(kind, Real)
+def _is_no_coordinate(kind: type) -> bool:
+    is_complex = issubclass(kind, Complex) and not issubclass(kind, Real)
+    return is_complex or kind.__name__ == "MaskedConstant"
 
 
 def unfit(name: str, value: object, what: str) -> InputError:
@@ -306,14 +316,22 @@ def invalid(message: str) -> InputError:
     return InputError(INVALID_ARGUMENT, f"polygon: {message}")
 
 
+MASKED = "some elements of the array are masked; leave them out first"
+
+
+def has_masked(source: Any) -> bool:
+    """Whether it is an array some elements of which are masked."""
+    any_masked = getattr(getattr(source, "mask", None), "any", None)
+    return any_masked is not None and bool(any_masked())
+
+
 def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional[memoryview]:
     """The buffer of a source that holds numbers of these formats; None where there is none.
 
     Refuses arrays some elements of which are masked: what lies behind a mask is no data.
     """
-    any_masked = getattr(getattr(source, "mask", None), "any", None)
-    if any_masked is not None and any_masked():
-        raise invalid("some elements of the array are masked; leave them out first")
+    if has_masked(source):
+        raise invalid(MASKED)
     try:
         view = memoryview(source)
     except (TypeError, ValueError):  # numpy has no buffers of times

@@ -78,8 +78,10 @@ class OuterFace(Result, Shape):
         """For each of vertices, the index in exact of the vertex that it stands for.
 
         sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
-        exact vertices that fell together, the first. For a vertex that rounding made, the
-        start of the exact edge that it lies closest to, measured in floats.
+        exact vertices that fell together, it is the first: the edges between them have
+        vanished, and the edge on comes from that of the last. For a vertex that rounding
+        made, it is the start of the exact edge that the edge on lies closest to, measured in
+        floats.
 
         An array of shape (n,) that cannot be written to; a list without numpy. Takes
         version 0.2 of the library.

@@ -14,7 +14,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING, Any, overload
 
 from . import _ffi, _structs
-from ._coordinates import Points, Rings, point_or_points, points, split
+from ._coordinates import Points, Rings, count, point_or_points, points, split
 from ._drawing import plot, svg
 from ._facts import (
     EdgeSource,
@@ -159,8 +159,10 @@ class Region(Result):
         """For each of vertices, the index in exact of what it stands for.
 
         sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
-        exact vertices that fell together, the first. For a vertex that rounding made, the
-        start of the exact edge that it lies closest to, measured in floats.
+        exact vertices that fell together, it is the first: the edges between them have
+        vanished, and the edge on comes from that of the last. For a vertex that rounding
+        made, it is the start of the exact edge that the edge on lies closest to, measured in
+        floats.
 
         An array of shape (n,) that cannot be written to; a list without numpy.
         """
@@ -242,12 +244,12 @@ class Region(Result):
         Raises InputError where there is no such polygon.
         """
         polygons = self._polygon_rings()
-        if not 0 <= number < len(polygons):
+        k = count(number, "polygon")
+        if not 0 <= k < len(polygons):
             raise _ffi.InputError(
-                _ffi.INVALID_ARGUMENT,
-                f"polygon is {number}, the region has {len(polygons)} polygons",
+                _ffi.INVALID_ARGUMENT, f"polygon is {k}, the region has {len(polygons)} polygons"
             )
-        return Polygon._of(polygons[number])
+        return Polygon._of(polygons[k])
 
     def _polygon_rings(self) -> list[Rings]:
         """The rings of each polygon, as doubles."""

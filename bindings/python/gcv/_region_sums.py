@@ -34,7 +34,8 @@ def minkowski_sum_region(
     The interior of the region is the open sum: the sums of an inner point of A and an
     inner point of B. Its holes are what the open sum leaves free. In its segments and
     points, A and the reflection of B fit exactly. There is one polygon, whose outer ring
-    is the ring of minkowski_sum, vertex for vertex.
+    is the ring of minkowski_sum, vertex for vertex, but where a tolerance would make it
+    cross holes.
 
     leave_out: "holes", "fits", or both, as in ("holes", "fits"), for a region without
     its holes, or without its segments and points; () leaves out nothing. To leave out

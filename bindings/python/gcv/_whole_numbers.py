@@ -9,7 +9,8 @@ from collections.abc import Iterable
 from operator import index
 from typing import Any, Literal, Optional, SupportsIndex, Union
 
-from ._coordinates import unfit
+from ._coordinates import MASKED, has_masked, unfit
+from ._ffi import INVALID_ARGUMENT, InputError
 
 _ID = "an id"
 _LAYERS = "a number of 32 bits, one for each layer"
@@ -37,6 +38,8 @@ def one_of_layers(source: SupportsIndex, name: str) -> int:
 
 
 def _read(source: Any, code: Literal["Q", "I"], name: str, what: str) -> tuple[array[int], bool]:
+    if has_masked(source):
+        raise InputError(INVALID_ARGUMENT, f"{name}: {MASKED}")
     numbers = _in_buffer(source, code)
     if numbers is not None:
         return numbers, False

@@ -55,7 +55,9 @@ def test_leave_out() -> None:
     assert repr(inner) == "<gcv.Region of 2 polygons>"
 
 
-@pytest.mark.parametrize("leave_out", ["segments", "", None, 1, ["fits", 1], ("holes", "x")])
+@pytest.mark.parametrize(
+    "leave_out", ["segments", "", None, 1, ["fits", 1], [["holes"]], ("holes", "x")]
+)
 def test_wrong_leave_out(leave_out: Any) -> None:
     reason = "leave_out is .*, none of holes, fits$"
     if leave_out == "":

@@ -198,6 +198,10 @@ def test_unknown_ids(call: Callable[[gcv.Scene, Any], object], ids: Any) -> None
         ([2, -1], r"ids\[1\]: -1 is not an id"),
         ("2", r"ids\[0\]: '2' is not an id"),
         (np.array([2.0, 3.0]), r"ids\[0\]: .*2.0.* is not an id"),
+        (
+            np.ma.array([2, 3], np.uint64, mask=[False, True]),
+            "ids: some elements of the array are masked; .*",
+        ),
     ],
 )
 def test_what_is_no_id(call: Callable[[gcv.Scene, Any], object], ids: Any, message: str) -> None:

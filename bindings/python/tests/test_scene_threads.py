@@ -14,7 +14,7 @@ from typing import Any, Callable
 import numpy as np
 import pytest
 from shapes import SQUARE, star
-from test_long_calls import TimeIsUpError, interrupted
+from test_long_calls import TimeIsUpError, assert_alone, interrupted
 from test_scene_questions import BLOCK, row
 
 import gcv
@@ -43,7 +43,7 @@ LONG: list[Callable[..., object]] = [
 def test_keyboard_interrupt_cancels(question: Callable[..., object]) -> None:
     with interrupted():
         question()
-    assert threading.active_count() == 1
+    assert_alone()
     CROWD.move(2, CROWD.positions(2))
 
 
@@ -54,7 +54,7 @@ def test_progress_that_raises_cancels(question: Callable[..., object]) -> None:
 
     with pytest.raises(TimeIsUpError):
         question(progress=progress)
-    assert threading.active_count() == 1
+    assert_alone()
     CROWD.move(2, CROWD.positions(2))
 
 

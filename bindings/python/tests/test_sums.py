@@ -341,6 +341,7 @@ def test_many_refused() -> None:
         ({"threads": 1.5}, "threads: 1.5 is not a whole number of 32 bits"),
         ({"threads": 2**32}, "threads: 4294967296 is not a whole number of 32 bits"),
         ({"rounding": "up"}, "rounding is 'up', none of"),
+        ({"rounding": []}, r"rounding is \[\], none of"),
     ],
 )
 def test_options_of_other_types(options: dict[str, Any], message: str) -> None:

@@ -8,7 +8,7 @@ import math
 import pickle
 import threading
 from array import array
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from typing import Any, Callable
 
@@ -136,6 +136,11 @@ def test_records_can_be_pickled() -> None:
         (np.zeros((4,)), r"translation\[0\]: .* is not a pair of numbers"),
         (np.zeros((2, 2, 2)), r"translation\[0\]: .* is not a pair of numbers"),
         (np.ma.masked_equal(SQUARE, 1), "translation: some elements of the array are masked"),
+        (
+            np.ma.array([0, 0.5], mask=[False, True]),
+            "translation: some elements of the array are masked",
+        ),
+        ([(1, 1), np.ma.array([0, 0.5], mask=[False, True])], r"translation\[1\]: .* are masked"),
         (shapely.Point(0, 0), "translation: <POINT .*> is not a pair of numbers, nor"),
         ((0, math.nan), r"translation\b.*\b0\b.*nan"),
         ([(0, 0), (math.inf, 0)], r"translation\b.*\b1\b.*inf"),
@@ -204,3 +209,33 @@ def test_progress_that_raises_cancels(question: Question) -> None:
     assert threading.active_count() == 1
     ((done, estimate),) = seen
     assert done < estimate == len(moves)
+
+
+class Frame:
+    """As a frame of pandas: its elements are the names of its columns."""
+
+    def __init__(self, rows: Any) -> None:
+        self._rows = np.array(rows, float)
+        self.shape = self._rows.shape
+
+    def __iter__(self) -> Iterator[int]:
+        return iter(range(self.shape[1]))
+
+    def __len__(self) -> int:
+        return len(self._rows)
+
+    def to_numpy(self) -> Any:
+        return self._rows
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_frames_have_one_translation_a_row(question: Question) -> None:
+    assert (question(SQUARE, SQUARE, Frame(MOVES)) == question(SQUARE, SQUARE, MOVES)).all()
+    with pytest.raises(gcv.InputError, match=r"^translation\[0\]: .* is not a pair of numbers"):
+        question(SQUARE, SQUARE, Frame(np.zeros((3, 5))))
+
+
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_numbers_in_arrays_without_dimensions(question: Question) -> None:
+    pair = [np.array(0.0), np.array(1.5)]
+    assert question(SQUARE, SQUARE, pair) == question(SQUARE, SQUARE, (0.0, 1.5))

@@ -687,8 +687,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
  * The exact vertex that each returned vertex stands for. With it, gcv_outer_face_edge_sources
  * tells where the returned edges come from.
  *
- * If several exact vertices fell together, it is the first of them. If rounding made a new
- * vertex, it is the start of the exact edge that the new vertex lies closest to.
+ * If several exact vertices fell together, it is the first of them: the edges between them have
+ * vanished, and the returned edge from there comes from that of the last. If rounding made a new
+ * vertex, it is the start of the exact edge that the returned edge from there lies closest to.
  *
  * @param out       indices for gcv_outer_face_exact_vertex: room for `capacity` elements; or
  *                  NULL.
@@ -832,7 +833,8 @@ enum { GCV_INSIDE = 1, GCV_BOUNDARY = 0, GCV_OUTSIDE = -1 };
  * is free too, but without free positions beside it: there, A and the reflection of B fit
  * exactly.
  *
- * There is one polygon. Its outer ring is the ring of gcv_minkowski_sum, vertex for vertex.
+ * There is one polygon. Its outer ring is the ring of gcv_minkowski_sum, vertex for vertex. (With
+ * a tolerance it can differ, where an outer ring so simplified would cross holes.)
  *
  * @param a        the polygon A, with its holes.
  * @param b        the polygon B, with its holes; the same handle may be given twice.
@@ -1046,8 +1048,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_exact_vertex(const gcv_region *regio
  * The exact vertex that each returned vertex stands for. With it, gcv_region_edge_sources and
  * gcv_region_edge_owners tell where the returned edges come from.
  *
- * If several exact vertices fell together, it is the first of them. If rounding made a new
- * vertex, it is the start of the exact edge that the new vertex lies closest to.
+ * If several exact vertices fell together, it is the first of them: the edges between them have
+ * vanished, and the returned edge from there comes from that of the last. If rounding made a new
+ * vertex, it is the start of the exact edge that the returned edge from there lies closest to.
  *
  * @param out       indices for gcv_region_exact_vertex: room for `capacity` elements; or NULL.
  * @param capacity  in elements.

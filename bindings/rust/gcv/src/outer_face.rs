@@ -77,8 +77,10 @@ impl OuterFace {
     /// The exact vertex that each vertex of [`OuterFace::vertices`] stands for, as an index in
     /// [`OuterFace::exact_vertices`] and [`OuterFace::sources`].
     ///
-    /// If several exact vertices fell together, it is the first of them. If rounding made a
-    /// new vertex, it is the start of the exact edge that the new vertex lies closest to.
+    /// If several exact vertices fell together, it is the first of them: the edges between them
+    /// have vanished, and the returned edge from there comes from that of the last. If rounding
+    /// made a new vertex, it is the start of the exact edge that the returned edge from there
+    /// lies closest to.
     ///
     /// # Panics
     /// Without memory.

@@ -199,8 +199,10 @@ impl Region {
     /// The exact vertex that each vertex of [`Region::vertices`] stands for, as an index in
     /// [`Region::exact_vertices`], [`Region::sources`] and [`Region::owners`].
     ///
-    /// If several exact vertices fell together, it is the first of them. If rounding made a
-    /// new vertex, it is the start of the exact edge that the new vertex lies closest to.
+    /// If several exact vertices fell together, it is the first of them: the edges between them
+    /// have vanished, and the returned edge from there comes from that of the last. If rounding
+    /// made a new vertex, it is the start of the exact edge that the returned edge from there
+    /// lies closest to.
     pub fn exact_indices(&self) -> Vec<usize> {
         // SAFETY: see `elements`.
         let indices: Vec<u64> = elements(|out, capacity, required| unsafe {
