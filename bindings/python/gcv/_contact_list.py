@@ -82,9 +82,10 @@ def contacts(
     """All pairs of a feature of A and one of B, moved by a translation, that can touch.
 
     A pair is an edge and a vertex, or two vertices, that no small part of the polygons
-    beside them keeps from touching. It is in the list where |gap| is at most the distance.
-    Parallel edges give the ends of what they share, each as a vertex and an edge. Where
-    the nearest point of an edge is its end, the pair of two vertices is there as well.
+    beside them keeps from touching. It is in the list where the size of its gap is at most
+    the distance. Parallel edges give the ends of what they share, each as a vertex and an
+    edge. Where the nearest point of an edge is its end, the pair of two vertices is there as
+    well.
 
     translation: (x, y). distance: in input units, from 0 on. slope: from 0 on; pairs that
     could touch once one polygon was turned by an angle of at most this tangent are there
