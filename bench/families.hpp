@@ -9,7 +9,8 @@
 
 namespace gcv::bench {
 
-// Those of data only where the data is. A quick run has fewer and smaller pairs.
+// Those of data only where the data is; tiny pairs on demand. A quick run has fewer and smaller
+// pairs.
 std::vector<Set> families(bool quick);
 
 // Two coasts of n vertices each; another pair for every seed.

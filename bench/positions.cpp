@@ -115,8 +115,11 @@ class Positions {
     std::size_t most = 0;
     for (const Set& set : families(options_.quick)) {
       for (const Pair& pair : set.pairs) {
-        if (options_.families.empty() || contains(options_.families, set.name) ||
-            contains(options_.families, pair.name)) {
+        const bool is_wanted =
+            options_.families.empty()
+                ? !set.is_on_demand
+                : contains(options_.families, set.name) || contains(options_.families, pair.name);
+        if (is_wanted) {
           chosen.emplace_back(set.name, pair);
           const Rings rings = pair.make();
           most = std::max(most, rings.first.size() + rings.second.size());

@@ -33,6 +33,18 @@ std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory) {
   return blocks;
 }
 
+Set tiny_pairs(int count) {
+  Set set{.name = "tiny"};
+  for (int k = 1; k <= count; ++k) {
+    set.pairs.push_back({std::to_string(k), [k] {
+                           Random random(static_cast<std::uint64_t>(k));
+                           Ring a = tiny(random);
+                           return Rings{std::move(a), tiny(random)};
+                         }});
+  }
+  return set;
+}
+
 Set nesting(const std::filesystem::path& directory, int count) {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(directory / "nesting")) {

@@ -34,18 +34,6 @@ Set of_sizes(const char* name, const std::vector<int>& sizes, Make make) {
   return set;
 }
 
-Set tiny_pairs(int count) {
-  Set set{.name = "tiny"};
-  for (int k = 1; k <= count; ++k) {
-    set.pairs.push_back({std::to_string(k), [k] {
-                           Random random(static_cast<std::uint64_t>(k));
-                           Ring a = tiny(random);
-                           return Rings{std::move(a), tiny(random)};
-                         }});
-  }
-  return set;
-}
-
 Rings coasts(int n, int m) {
   Random random(static_cast<std::uint64_t>(n));
   Ring a = coast(random, n);

@@ -37,6 +37,9 @@ std::vector<Set> all_sets(bool quick);
 std::vector<Set> blocks_of_pairs(const std::filesystem::path& directory);
 // Pairs of parts of nesting instances, drawn at random.
 Set nesting(const std::filesystem::path& directory, int count);
+
+// Of 3 to 8 vertices each, by random numbers.
+Set tiny_pairs(int count);
 // The pairs of the folder lost_holes.
 Set lost_holes(const std::filesystem::path& directory);
 

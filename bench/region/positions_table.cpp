@@ -109,6 +109,9 @@ void print_positions(bool quick) {
       "| pair | A / B | vertices of the region | as is ms | spread | slowest : quickest | given up "
       "|\n| --- | ---: | ---: | ---: | ---: | --- | --- |");
   for (const Set& set : families(true)) {
+    if (set.is_on_demand) {
+      continue;
+    }
     for (const Pair& pair : set.pairs) {
       print_row(pair);
       if (quick) {
