@@ -180,3 +180,14 @@ def test_errors_name_the_operand(wrong: Any) -> None:
             function(wrong, SQUARE)
         with pytest.raises(gcv.InputError, match=f"^{second}: "):
             function(SQUARE, wrong)
+
+
+@pytest.mark.parametrize("rounding", ["nearest", "outward"])
+def test_the_outer_ring_within_a_tolerance_is_the_outer_face(rounding: Any) -> None:
+    """With holes, too: simplification keeps or drops vertices of the outer ring alike."""
+    block = gcv.Polygon(
+        [(6, 0), (7, 0), (2, 10), (2, 4), (1, 3), (0, 0)], [[(3, 5), (4, 6), (3, 3)]]
+    )
+    face = gcv.minkowski_sum(block, SQUARE_2, tolerance=1, rounding=rounding)
+    region = gcv.minkowski_sum_region(block, SQUARE_2, tolerance=1, rounding=rounding)
+    assert region.polygons[0].outer.tolist() == face.vertices.tolist()
