@@ -9,13 +9,13 @@ from pathlib import Path
 from typing import Any, Callable, Optional, Union
 
 from ._columns import NO_ORIGIN, Column
-from ._coordinates import read_json
 from ._ffi import INVALID_ARGUMENT, Error, InputError
 from ._named import NamedPolygon, make
 from ._polygon import Polygon
 from ._region import Region
 from ._shape import Shape
 from ._text_files import geometries, polygon_of_wkt, texts_of_wkt
+from ._texts import read_json
 
 _Maker = Callable[[str], NamedPolygon]
 """What makes a polygon of a source, whose errors have that name."""

@@ -13,7 +13,8 @@ from ctypes import byref, c_int32, c_size_t, c_void_p
 from typing import Any
 
 from . import _ffi, _structs
-from ._coordinates import Rings, rings_of_wkt, size
+from ._coordinates import Rings, size
+from ._texts import rings_of_wkt
 
 
 def created(rings: Rings) -> _ffi.Polygon:

@@ -15,8 +15,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVa
 from . import _ffi, _structs
 from ._call import run
 from ._contacts import record, records
-from ._coordinates import Points, check_order, point_or_points, points, size
-from ._drawing import GROUND_COLOUR, plot, svg
+from ._coordinates import check_order, point_or_points, points, size
 from ._gate import Gate
 from ._many import handle_array, vertices
 from ._polygon import Polygon, as_polygon
@@ -306,39 +305,6 @@ class Members:
         members = f"{len(self)} member{'s' if len(self) != 1 else ''}"
         container = " in a container" if self._container is not None else ""
         return f"<gcv.{type(self).__name__} of {members}{container}>"
-
-    def plot(self, ax: Any = None, **style: Any) -> Any:
-        """Draw the container and the members with matplotlib.
-
-        ax is the axes to draw on, by default the current ones; style goes to ax.fill, for
-        each member. Returns the axes. Raises ImportError without matplotlib.
-        """
-        ground, members = self._all_ring_points(1)
-        ax = plot(ground, (), ax, {"facecolor": GROUND_COLOUR, "alpha": 1})
-        for rings in members:
-            plot(rings, (), ax, style)
-        return ax
-
-    def _repr_svg_(self) -> str:
-        # Half as large, so that no sum is beyond the largest float.
-        ground, members = self._all_ring_points(0.5)
-        return svg(members, (), ground)
-
-    def _all_ring_points(self, scale: float) -> tuple[list[Points], list[list[Points]]]:
-        """The rings of the container and those of each member, where it is."""
-        with self._gate.asking():
-            container, polygons = self._container, list(self._polygons.values())
-            places = points(self._all_positions())
-
-        def placed(polygon: Polygon, place: tuple[float, float]) -> list[Points]:
-            x, y = scale * place[0], scale * place[1]
-            return [
-                [(scale * px + x, scale * py + y) for px, py in ring]
-                for ring in polygon._ring_points()
-            ]
-
-        ground = [] if container is None else placed(container, (0, 0))
-        return ground, [placed(*member) for member in zip(polygons, places)]
 
     def __reduce__(
         self,

@@ -11,10 +11,11 @@ from typing import Any, Optional, SupportsFloat, SupportsIndex, TypeVar
 from . import _ffi, _structs
 from ._call import Progress
 from ._contact_list import ContactList, contact_list
-from ._coordinates import number, pair, unfit
+from ._coordinates import Points, number, pair, points, unfit
+from ._drawing import GROUND_COLOUR, plot, svg
 from ._many import vertices
 from ._pair_list import PairList, pair_list
-from ._polygon import as_polygon
+from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
 from ._scene_places import Places
 from ._scene_questions import NEIGHBOURS, query_of
@@ -172,6 +173,39 @@ class Scene(Places):
             *(self._vertices_of_pairs(), threads, progress),
         )
         return contact_list(handle)
+
+    def plot(self, ax: Any = None, **style: Any) -> Any:
+        """Draw the container and the members with matplotlib.
+
+        ax is the axes to draw on, by default the current ones; style goes to ax.fill, for
+        each member. Returns the axes. Raises ImportError without matplotlib.
+        """
+        ground, members = self._all_ring_points(1)
+        ax = plot(ground, (), ax, {"facecolor": GROUND_COLOUR, "alpha": 1})
+        for rings in members:
+            plot(rings, (), ax, style)
+        return ax
+
+    def _repr_svg_(self) -> str:
+        # Half as large, so that no sum is beyond the largest float.
+        ground, members = self._all_ring_points(0.5)
+        return svg(members, (), ground)
+
+    def _all_ring_points(self, scale: float) -> tuple[list[Points], list[list[Points]]]:
+        """The rings of the container and those of each member, where it is."""
+        with self._gate.asking():
+            container, polygons = self._container, list(self._polygons.values())
+            places = points(self._all_positions())
+
+        def placed(polygon: Polygon, place: tuple[float, float]) -> list[Points]:
+            x, y = scale * place[0], scale * place[1]
+            return [
+                [(scale * px + x, scale * py + y) for px, py in ring]
+                for ring in polygon._ring_points()
+            ]
+
+        ground = [] if container is None else placed(container, (0, 0))
+        return ground, [placed(*member) for member in zip(polygons, places)]
 
     def _vertices_of_pairs(self) -> int:
         """A guess of the vertices of all pairs that are near."""

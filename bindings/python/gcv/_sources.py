@@ -19,15 +19,13 @@ from . import _ffi
 from ._coordinates import (
     Rings,
     check_order,
-    geometry_of_text,
-    of_one_part,
     ring_in_buffer,
     rings_of,
     unfit,
-    without_elevations,
 )
 from ._handles import created_of_wkt
 from ._shape import Shape
+from ._texts import geometry_of_text, of_one_part, without_elevations
 
 if TYPE_CHECKING:
     import numpy

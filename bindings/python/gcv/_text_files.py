@@ -8,9 +8,9 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Optional
 
-from ._coordinates import read_json
 from ._ffi import PARSE, InputError
 from ._named import NUMBER, NamedPolygon, Reading, make
+from ._texts import read_json
 
 _TAG = re.compile(
     rb"\s*(?P<multi>MULTI|)(?P<kind>POLYGON|POINT|LINESTRING|(?<!MULTI)GEOMETRYCOLLECTION)"

@@ -1,0 +1,73 @@
+# Copyright (C) 2026 The libgcv authors
+# SPDX-License-Identifier: LGPL-3.0-or-later
+"""Text that says a polygon: GeoJSON, and Well-Known Text as the library reads it."""
+
+from __future__ import annotations
+
+import json
+import re
+from array import array
+from typing import Any, Optional
+
+from ._coordinates import Rings, invalid
+from ._ffi import PARSE, InputError
+
+
+def geometry_of_text(text: bytes) -> Optional[Any]:
+    """What GeoJSON text says; None for text of another kind."""
+    if not text.lstrip().startswith(b"{"):
+        return None
+    return read_json(text, "polygon")
+
+
+def read_json(text: bytes, name: str) -> Any:
+    """What GeoJSON text of that name says."""
+    try:
+        return json.loads(text)
+    except ValueError as error:
+        reason = str(error)
+    except RecursionError:
+        reason = "it is nested too deeply"
+    raise InputError(PARSE, f"{name}: GeoJSON text: {reason}")
+
+
+def of_one_part(text: bytes) -> bytes:
+    """Well-Known Text of a MULTIPOLYGON of one part as that of the part.
+
+    Every other byte stays where it is, with blanks for what goes. Raises InputError for
+    other numbers of parts.
+    """
+    tag = re.match(rb"\s*(MULTI)POLYGON\s*(?:ZM|Z|M)?\s*(?:(\()|EMPTY\s*$)", text, re.IGNORECASE)
+    if not tag:
+        return text
+    parts = len(re.findall(rb"\(\s*\(", text[tag.end() :])) if tag[2] else 0
+    if parts != 1:
+        raise invalid(f"a MultiPolygon of {parts} parts is not one polygon")
+    bare = bytearray(text.rstrip())
+    bare[slice(*tag.span(1))] = b" " * len(tag[1])
+    bare[tag.start(2)] = ord(" ")
+    return bytes(bare[:-1] if bare.endswith(b")") else bare)
+
+
+def without_elevations(text: bytes) -> bytes:
+    """Well-Known Text with blanks for the Z and M of a POLYGON and for their numbers.
+
+    Every other byte stays where it is.
+    """
+    tag = re.match(rb"\s*POLYGON\s*(ZM|Z|M)\s*(?=\(|EMPTY)", text, re.IGNORECASE)
+    if not tag:
+        return text
+    start, end = tag.span(1)
+    count = end - start
+    elevations = rb"(?:\s+[-+.\w]+){%d}" % count
+    return re.sub(
+        rb"([(,]\s*[-+.\w]+\s+[-+.\w]+)(" + elevations + rb")(?=\s*[,)])",
+        lambda vertex: vertex[1] + b" " * len(vertex[2]),
+        text[:start] + b" " * count + text[end:],
+    )
+
+
+def rings_of_wkt(text: bytes) -> Rings:
+    """The rings of a polygon that the library has accepted."""
+    rings = re.findall(rb"\(([^()]*)\)", text)
+    return [array("d", map(float, re.findall(rb"[^\s,]+", ring))).tobytes() for ring in rings]
