@@ -36,7 +36,7 @@ using gcv::capi::fill;
 using gcv::capi::guarded;
 using gcv::capi::is_out_of_range;
 using gcv::capi::public_contact;
-using gcv::capi::read_free_options;
+using gcv::capi::read_exact_options;
 using gcv::capi::read_options;
 using gcv::capi::read_query;
 using gcv::capi::require;
@@ -108,7 +108,7 @@ gcv_status gcv_scene_contacts(const gcv_scene* scene, const gcv_contact_list* pr
   return guarded([&] {
     require(scene, "scene");
     require(out, "out");
-    const gcv_options given = read_free_options(options, "scenes");
+    const gcv_options given = read_exact_options(options, "scenes");
     const Query asked = read_query(query);
     require_size(distance, "distance");
     require_size(slope, "slope");
@@ -150,7 +150,7 @@ gcv_status gcv_scene_near(const gcv_scene* scene, const gcv_polygon* moving,
     require(moving, "moving");
     require(position, "position");
     require(out, "out");
-    const gcv_options given = read_free_options(options, "scenes");
+    const gcv_options given = read_exact_options(options, "scenes");
     const Query asked = read_query(query);
     const Vectors place(position, 1, "position");
     require_size(distance, "distance");
@@ -169,7 +169,7 @@ gcv_status gcv_scene_pairs(const gcv_scene* scene, const gcv_pair_list* previous
   return guarded([&] {
     require(scene, "scene");
     require(out, "out");
-    const gcv_options given = read_free_options(options, "scenes");
+    const gcv_options given = read_exact_options(options, "scenes");
     const Query asked = read_query(query);
     require_size(distance, "distance");
     Task task(threads_of(given), given.progress, given.progress_context);

@@ -98,7 +98,7 @@ void refuse_tolerance(const gcv_options& options, const char* what) {
   }
 }
 
-gcv_options read_free_options(const gcv_options* options, const char* what) {
+gcv_options read_exact_options(const gcv_options* options, const char* what) {
   const gcv_options known = read_options(options);
   refuse_tolerance(known, what);
   if (has(known.leave_out, GCV_LEAVE_OUT_HOLES)) {

@@ -21,8 +21,9 @@ void check_tolerance(double tolerance, const char* where);
 gcv_options read_options(const gcv_options* options);
 // Throws Error: invalid_argument for a tolerance. `what` is exact.
 void refuse_tolerance(const gcv_options& options, const char* what);
-// Refuses what sums alone take, and ways out: a tolerance and the leaving out of holes.
-gcv_options read_free_options(const gcv_options* options, const char* what);
+// For what is exact and knows obstacles, called `what` in messages: refuses a tolerance too, and
+// the leaving out of holes, for obstacles would be free there.
+gcv_options read_exact_options(const gcv_options* options, const char* what);
 
 SumOptions sum_options(const gcv_options& options);
 RegionOptions region_options(const gcv_options& options);

@@ -104,7 +104,7 @@ gcv_status gcv_inner_fit_region(const gcv_polygon* container, const gcv_polygon*
     require(container, "container");
     require(moving, "moving");
     require(out, "out");
-    const gcv_options known = gcv::capi::read_free_options(options, "inner fits");
+    const gcv_options known = gcv::capi::read_exact_options(options, "inner fits");
     require(reference, "reference");
     const Point shift = finite_point({reference[0], reference[1]}, "reference");
     Task task(threads_of(known), known.progress, known.progress_context);

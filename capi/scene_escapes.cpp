@@ -48,7 +48,7 @@ gcv_status gcv_scene_best(const gcv_scene* scene, const gcv_polygon* moving,
     require(direction, "direction");
     require(out, "out");
     require(found, "found");
-    const gcv_options known = gcv::capi::read_free_options(options, "free positions");
+    const gcv_options known = gcv::capi::read_exact_options(options, "free positions");
     const Query asked = gcv::capi::read_query(query);
     const Point wanted = read_direction(direction);
     if (!asked.admits_container() || !scene->scene.container()) {
@@ -77,7 +77,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
   return guarded([&] {
     require(scene, "scene");
     require(moving, "moving");
-    const gcv_options known = gcv::capi::read_free_options(options, "ways out of overlaps");
+    const gcv_options known = gcv::capi::read_exact_options(options, "ways out of overlaps");
     const Query asked = gcv::capi::read_query(query);
     if (count == 0) {
       return;

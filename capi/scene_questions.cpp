@@ -61,7 +61,7 @@ using gcv::Task;
 using gcv::capi::give_all;
 using gcv::capi::guarded;
 using gcv::capi::public_contact;
-using gcv::capi::read_free_options;
+using gcv::capi::read_exact_options;
 using gcv::capi::read_query;
 using gcv::capi::require;
 using gcv::capi::require_count;
@@ -84,7 +84,7 @@ template <class Result, class Answer>
 void give_answers(const Question& question, Result* out, Answer answer) {
   require(question.scene, "scene");
   require(question.moving, "moving");
-  const gcv_options options = read_free_options(question.options, "scenes");
+  const gcv_options options = read_exact_options(question.options, "scenes");
   const Query query = read_query(question.query);
   if (question.count == 0) {
     return;

@@ -51,7 +51,7 @@ gcv_status gcv_scene_free_region(const gcv_scene* scene, const gcv_polygon* movi
     require(scene, "scene");
     require(moving, "moving");
     require(out, "out");
-    const gcv_options known = gcv::capi::read_free_options(options, "free regions");
+    const gcv_options known = gcv::capi::read_exact_options(options, "free regions");
     const gcv::Query asked = gcv::capi::read_query(query);
     const std::optional<Box> bounds = read_window(window);
     Task task(gcv::capi::threads_of(known), known.progress, known.progress_context);
