@@ -143,6 +143,34 @@ Point AheadCache::mean_place(std::size_t block, std::size_t back) const {
   return {sum.x / size, sum.y / size};
 }
 
+// The walk may swing to and fro, along spikes, by more than it gets ahead. Then it goes across its
+// swing: the least axis of its places, which that swing hardly turns, as it does their means.
+Point AheadCache::heading(std::size_t block, std::size_t back, const Point& way) const {
+  const Point mean = mean_place(block, back);
+  double xx = 0;
+  double xy = 0;
+  double yy = 0;
+  for (std::size_t k = 0; k < block; ++k) {
+    const Point& p = passed(back + k);
+    const double dx = p.x - mean.x;
+    const double dy = p.y - mean.y;
+    xx += dx * dx;
+    xy += dx * dy;
+    yy += dy * dy;
+  }
+  const auto size = static_cast<double>(block);
+  const double half = (xx - yy) / 2;
+  const double root = std::sqrt(half * half + xy * xy);
+  const double most = (xx + yy) / 2 + root;  // of the squares along any axis
+  if (!(most > size * (way.x * way.x + way.y * way.y))) {
+    return unit_vector(way);
+  }
+  const Point swing = half > 0 ? Point{half + root, xy} : Point{xy, root - half};
+  const Point across = unit_vector({-swing.y, swing.x});
+  const bool is_ahead = across.x * way.x + across.y * way.y >= 0;
+  return is_ahead ? across : Point{-across.x, -across.y};
+}
+
 // Lays out a box around the place. It turns as the walk has turned from each block of places to the
 // next one. It is as wide as the swing of the walk. False where the walk goes nowhere, or where
 // numbers overflow.
@@ -151,9 +179,9 @@ bool AheadCache::lay_out(const Point& place) {
   const Point last = mean_place(block, 0);
   const Point middle = mean_place(block, block);
   const Point first = mean_place(block, 2 * block);
-  const Point before = unit_vector({middle.x - first.x, middle.y - first.y});
   const Point way{last.x - middle.x, last.y - middle.y};
-  unit_ = unit_vector(way);
+  const Point before = heading(block, block, {middle.x - first.x, middle.y - first.y});
+  unit_ = heading(block, 0, way);
   const double length = in_frame(way).x;
   double right = 0;
   double left = 0;

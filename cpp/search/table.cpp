@@ -90,10 +90,11 @@ Point middle_of(const Boundary& polygon) {
 }
 
 // For whole extents of 2^16 units less a few.
-double scale_of(const Operands& operands) {
+Point scale_of(const Operands& operands) {
+  constexpr double units = 65520;
   const Box& a = operands.a.bounds;
   const Box& b = operands.b.bounds;
-  return 65520 / std::max((a.x1 - a.x0) + (b.x1 - b.x0), (a.y1 - a.y0) + (b.y1 - b.y0));
+  return {units / ((a.x1 - a.x0) + (b.x1 - b.x0)), units / ((a.y1 - a.y0) + (b.y1 - b.y0))};
 }
 
 }  // namespace
@@ -112,19 +113,20 @@ CoarseGrid::CoarseGrid(const Operands& operands) : scale_(scale_of(operands)) {
 CoarseGrid CoarseGrid::of(const Boundary& polygon) const { return {scale_, middle_of(polygon)}; }
 
 bool CoarseGrid::is_fine_enough(const Operands& operands) const {
-  const double shortest = 2 / scale_;
+  const Point shortest{2 / scale_.x, 2 / scale_.y};
   const auto most_are_longer = [&](const Boundary& polygon) {
     std::size_t short_edges = 0;
     polygon.layout.for_each_edge([&](Index i, Index next) {
       const Point& p = polygon.vertices[i];
       const Point& q = polygon.vertices[next];
-      if (std::max(std::abs(q.x - p.x), std::abs(q.y - p.y)) <= shortest) {
+      if (std::abs(q.x - p.x) <= shortest.x && std::abs(q.y - p.y) <= shortest.y) {
         ++short_edges;
       }
     });
     return short_edges <= polygon.size() / 8;
   };
-  return scale_ > 0 && std::isfinite(scale_) && most_are_longer(operands.a) &&
+  const auto is_usable = [](double scale) { return scale > 0 && std::isfinite(scale); };
+  return is_usable(scale_.x) && is_usable(scale_.y) && most_are_longer(operands.a) &&
          most_are_longer(operands.b);
 }
 

@@ -25,7 +25,8 @@ namespace gcv {
 // How many superset edges there are, before merging. O(n + m).
 std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked);
 
-// Relative coordinates of the sum as integers of 16 bits, from the middle of its extents.
+// Relative coordinates of the sum as integers of 16 bits, from the middle of its extents. Each axis
+// has its own unit, so that stretched polygons have the same places.
 class CoarseGrid {
  public:
   explicit CoarseGrid(const Operands& operands);
@@ -36,7 +37,10 @@ class CoarseGrid {
 
   // In units of the grid, not rounded.
   [[nodiscard]] Point place(const Point& p) const {
-    return {(p.x - middle_.x) * scale_, (p.y - middle_.y) * scale_};
+    return {(p.x - middle_.x) * scale_.x, (p.y - middle_.y) * scale_.y};
+  }
+  [[nodiscard]] Point direction(const SumEdge& s) const {
+    return {s.dx * scale_.x, s.dy * scale_.y};
   }
   // To the nearest integer; for numbers of up to 16 bits.
   [[nodiscard]] static int rounded(double x) { return static_cast<int>(x + 32768.5) - 32768; }
@@ -45,9 +49,9 @@ class CoarseGrid {
   [[nodiscard]] CoarseGrid of(const Boundary& polygon) const;
 
  private:
-  CoarseGrid(double scale, const Point& middle) : scale_(scale), middle_(middle) {}
+  CoarseGrid(const Point& scale, const Point& middle) : scale_(scale), middle_(middle) {}
 
-  double scale_;
+  Point scale_;  // units along x, and along y
   Point middle_;
 };
 
@@ -71,9 +75,10 @@ class SupersetTable {
    public:
     Piece(const SupersetTable& tree, const SumEdge& s, const Point& from, const Point& to)
         : grid_(tree.grid_), from_(grid_.place(from)) {
-      const double size = std::max(std::abs(s.dx), std::abs(s.dy));
-      const int dx = CoarseGrid::rounded(s.dx / size * 0x7fff);
-      const int dy = CoarseGrid::rounded(s.dy / size * 0x7fff);
+      const Point direction = grid_.direction(s);
+      const double size = std::max(std::abs(direction.x), std::abs(direction.y));
+      const int dx = CoarseGrid::rounded(direction.x / size * 0x7fff);
+      const int dy = CoarseGrid::rounded(direction.y / size * 0x7fff);
       const auto offset = static_cast<int>((dx * from_.y - dy * from_.x) * 0x1p-16);
       dx_ = SimdShort::of(dx);
       dy_ = SimdShort::of(dy);

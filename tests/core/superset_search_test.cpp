@@ -76,12 +76,13 @@ void expect_all_found(double most_visits, Prepare prepare) {
   for (int k = 0; k < 150; ++k) {
     const int exponents[] = {0, -1000, -60, 900};
     const int exponent = exponents[k % 4];
-    const double unit = std::ldexp(1.0, exponent);
+    const int stretches[] = {0, -9, 12};  // of y
+    const Point unit{std::ldexp(1.0, exponent), std::ldexp(1.0, exponent + stretches[k / 4 % 3])};
     const auto boundary = [&](int vertices) {
       Ring ring = k % 3 == 0 ? test::random_histogram(random, vertices / 2, 200)
                              : test::random_small_integer_polygon(random, vertices, 200);
       for (Point& p : ring) {
-        p = {p.x * unit, p.y * unit};
+        p = {p.x * unit.x, p.y * unit.y};
       }
       return ring;
     };
@@ -94,7 +95,7 @@ void expect_all_found(double most_visits, Prepare prepare) {
       for (int hole = 0; hole < (k % 5 == 0 ? 2 : 0); ++hole) {
         Ring ring = boundary(5);
         for (Point& p : ring) {
-          p = {first.x + p.x / 256, outer.bounds.y0 + p.y / 400 + unit / 2};
+          p = {first.x + p.x / 256, outer.bounds.y0 + p.y / 400 + unit.y / 2};
         }
         holes.push_back(make_ring(ring, "hole", gcv::Boundary::Kind::hole));
       }
@@ -156,22 +157,23 @@ TEST(SupersetTable, FindsAllEdgesThatMeetAPiece) {
   });
 }
 
-// A gear of so many teeth, whose edges are about as long as its radius over their number.
-gcv::Boundary gear(int teeth, double radius) {
+// A gear of so many teeth, whose edges are about as long as its radius over their number, stretched
+// along y.
+gcv::Boundary gear(int teeth, double radius, double stretch = 1) {
   Ring ring;
   for (int k = 0; k < 2 * teeth; ++k) {
     const double angle = M_PI * k / teeth;
     const double r = k % 2 == 0 ? radius : 0.8 * radius;
-    ring.push_back({r * std::cos(angle), r * std::sin(angle)});
+    ring.push_back({r * std::cos(angle), stretch * r * std::sin(angle)});
   }
   return make_ring(ring, "gear");
 }
 
 TEST(CoarseGrid, IsTooCoarseForManyShortEdgesOrExtentsOutOfRange) {
-  const auto is_fine = [](double radius_a, double radius_b) {
+  const auto is_fine = [](double radius_a, double radius_b, double stretch = 1) {
     Tally tally;
-    const gcv::Boundary a = gear(50, radius_a);
-    const gcv::Boundary b = gear(50, radius_b);
+    const gcv::Boundary a = gear(50, radius_a, stretch);
+    const gcv::Boundary b = gear(50, radius_b, stretch);
     const Operands operands{a, b, merge_directions(a, b, tally)};
     return CoarseGrid(operands).is_fine_enough(operands);
   };
@@ -179,6 +181,9 @@ TEST(CoarseGrid, IsTooCoarseForManyShortEdgesOrExtentsOutOfRange) {
   EXPECT_TRUE(is_fine(1, 1e-2));
   EXPECT_FALSE(is_fine(1, 1e-4));
   EXPECT_FALSE(is_fine(1e-4, 1));
+  EXPECT_TRUE(is_fine(1, 1, 1e-6));
+  EXPECT_TRUE(is_fine(1, 1, 1e6));
+  EXPECT_FALSE(is_fine(1, 1e-4, 1e6));
   EXPECT_TRUE(is_fine(0x1p-900, 0x1p-900));
   EXPECT_TRUE(is_fine(0x1p1020, 0x1p1020));
   EXPECT_FALSE(is_fine(0x1p1023, 0x1p1023));

@@ -89,6 +89,24 @@ Pair many_spikes() {
   return {star, spiky_star(random, 200)};
 }
 
+// Of all heights: a walk over them swings by many times what it gets ahead.
+Polygon brush(Random& random, int bristles) {
+  Polygon polygon{{0, -40}, {20.0 * bristles, -40}};
+  for (int k = bristles - 1; k >= 0; --k) {
+    const double x = 20 * k + 10;
+    const double tip = x + uniform(random, -8, 8);
+    polygon.insert(polygon.end(),
+                   {{x + 1, 0}, {tip, 1.0 * uniform(random, 100, 1000)}, {x - 1, 0}});
+  }
+  return polygon;
+}
+
+Pair brushes() {
+  Random random(8);
+  const Polygon polygon = brush(random, 80);
+  return {polygon, brush(random, 80)};
+}
+
 Pair combs() {
   const Polygon polygon = comb(20, 1, 1, 7);
   return {polygon, polygon};
@@ -147,6 +165,7 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"parts", parts},
                                                          {"stars", stars},
                                                          {"many_spikes", many_spikes},
+                                                         {"brushes", brushes},
                                                          {"combs", combs},
                                                          {"coasts", coasts},
                                                          {"key_in_slot", key_in_slot},
