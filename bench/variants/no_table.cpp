@@ -11,7 +11,7 @@ std::uint64_t count_superset(const Operands&, const RankedEdges&) {
   return std::numeric_limits<std::uint64_t>::max();
 }
 
-CoarseGrid::CoarseGrid(const Operands&) : scale_(0), middle_{0, 0} {}
+CoarseGrid::CoarseGrid(const Operands&) : scale_{0, 0}, middle_{0, 0} {}
 
 bool CoarseGrid::is_fine_enough(const Operands&) const { return false; }
 
