@@ -69,6 +69,13 @@ export function unfit(name: string, value: unknown, what: string): InputError {
   return new InputError(Status.INVALID_ARGUMENT, `${name}: ${short(value)} is not ${what}`);
 }
 
+/** The error for a number that is not finite, or out of its range. @internal */
+export function unfitNumber(name: string, value: number, what: string): InputError {
+  const { message } = unfit(name, value, what);
+  const status = Number.isFinite(value) ? Status.INVALID_ARGUMENT : Status.NOT_FINITE;
+  return new InputError(status, message);
+}
+
 /** The error for what cannot be a polygon, and why. @internal */
 export function noPolygon(reason: string): InputError {
   return new InputError(Status.INVALID_ARGUMENT, `polygon: ${reason}`);

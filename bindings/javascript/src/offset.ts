@@ -3,7 +3,7 @@
 //
 // Polygons with a clearance.
 
-import { InputError, Status, unfit } from "./errors.js";
+import { InputError, Status, unfitNumber } from "./errors.js";
 import { withOperands } from "./operands.js";
 import { callOptions, checkOptions, type CallOptions, type RegionOptions } from "./options.js";
 import { numberOf } from "./points.js";
@@ -48,10 +48,10 @@ export function offset(
 ): Region {
   checkOptions(options, callOptions);
   if (!Number.isFinite(numberOf(distance, "distance")) || distance === 0) {
-    throw unfit("distance", distance, "a finite number other than 0");
+    throw unfitNumber("distance", distance, "a finite number other than 0");
   }
   if (!Number.isFinite(numberOf(tolerance, "tolerance")) || tolerance <= 0) {
-    throw unfit("tolerance", tolerance, "a finite number above 0");
+    throw unfitNumber("tolerance", tolerance, "a finite number above 0");
   }
   const safe: RegionOptions = { ...options, rounding: "outward", leaveOut: "fits" };
   const radius = Math.abs(distance);

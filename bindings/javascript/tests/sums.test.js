@@ -171,11 +171,24 @@ test("clearances", () => {
   assert.equal(gcv.offset(square(4), -2, 0.01).polygons.length, 0);
   assert.ok(grown.errorBound <= 0.01 / 16 && gcv.offset(sheet, 2, 0.1).polygons[0].length === 1);
 
-  for (const distance of [0, NaN, Infinity, "1"]) {
-    assert.throws(() => gcv.offset(sheet, distance, 0.01), { message: /^distance: .* is not a / });
+  const { INVALID_ARGUMENT: unfit, NOT_FINITE: endless } = gcv.Status;
+  for (const [distance, status] of [
+    [0, unfit],
+    [NaN, endless],
+    [Infinity, endless],
+    ["1", unfit],
+  ]) {
+    const message = /^distance: .* is not a /;
+    assert.throws(() => gcv.offset(sheet, distance, 0.01), { message, status });
   }
-  for (const tolerance of [0, -1, NaN, undefined]) {
-    assert.throws(() => gcv.offset(sheet, 1, tolerance), { message: /^tolerance: .* is not a / });
+  for (const [tolerance, status] of [
+    [0, unfit],
+    [-1, unfit],
+    [NaN, endless],
+    [undefined, unfit],
+  ]) {
+    const message = /^tolerance: .* is not a /;
+    assert.throws(() => gcv.offset(sheet, 1, tolerance), { message, status });
   }
   const far = new gcv.Polygon(square(1)).translated([1e9, 0]);
   for (const [polygon, tolerance, reason] of [

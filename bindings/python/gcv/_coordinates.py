@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import reprlib
 import struct
@@ -230,9 +231,10 @@ def _is_no_coordinate(kind: type) -> bool:
     return is_complex or kind.__name__ == "MaskedConstant"
 
 
-def unfit(name: str, value: object, what: str) -> InputError:
-    """The error for a value that is not what it should be."""
-    return InputError(INVALID_ARGUMENT, f"{name}: {_short(value)} is not {what}")
+def unfit(name: str, value: object, what: str, numbers: Iterable[float] = ()) -> InputError:
+    """The error for a value, of these numbers, that is not what it should be."""
+    status = INVALID_ARGUMENT if all(map(math.isfinite, numbers)) else NOT_FINITE
+    return InputError(status, f"{name}: {_short(value)} is not {what}")
 
 
 def _too_large(name: str, value: object) -> InputError:

@@ -54,9 +54,9 @@ def offset(
     polygon = as_polygon(polygon, "polygon")
     distance, tolerance = number(distance, "distance"), number(tolerance, "tolerance")
     if not math.isfinite(distance) or distance == 0:
-        raise unfit("distance", distance, "a finite number other than 0")
+        raise unfit("distance", distance, "a finite number other than 0", (distance,))
     if not 0 < tolerance < math.inf:
-        raise unfit("tolerance", tolerance, "a finite number above 0")
+        raise unfit("tolerance", tolerance, "a finite number above 0", (tolerance,))
     try:
         disc = Polygon.disc((0, 0), abs(distance), _SHARE_OF_DISC * tolerance, rounding="outward")
     except InputError:

@@ -318,7 +318,7 @@ class Polygon(Shape):
         """
         x, y = pair(vector, "vector")
         if not (isfinite(x) and isfinite(y)):
-            raise unfit("vector", vector, "a pair of finite numbers")
+            raise unfit("vector", vector, "a pair of finite numbers", (x, y))
         return self.affine((1, 0, x, 0, 1, y))
 
     def __neg__(self) -> Polygon:

@@ -126,20 +126,21 @@ def test_shapes() -> None:
 
 
 @pytest.mark.parametrize(
-    "arguments, message",
+    "arguments, status, message",
     [
-        ((0, 0.1), "distance: 0.0 is not a finite number other than 0"),
-        ((math.nan, 0.1), "distance: nan is not a finite number"),
-        ((None, 0.1), "distance: None is not a number"),
-        ((1, 0), "tolerance: 0.0 is not a finite number above 0"),
-        ((1, -1), "tolerance: -1.0 is not a finite number above 0"),
-        ((1, math.inf), "tolerance: inf is not"),
-        ((1, 1e-17), "tolerance: 1e-17 is too small for the roundings"),
+        ((0, 0.1), 2, "distance: 0.0 is not a finite number other than 0"),
+        ((math.nan, 0.1), 3, "distance: nan is not a finite number"),
+        ((None, 0.1), 2, "distance: None is not a number"),
+        ((1, 0), 2, "tolerance: 0.0 is not a finite number above 0"),
+        ((1, -1), 2, "tolerance: -1.0 is not a finite number above 0"),
+        ((1, math.inf), 3, "tolerance: inf is not"),
+        ((1, 1e-17), 2, "tolerance: 1e-17 is too small for the roundings"),
     ],
 )
-def test_failures(arguments: tuple[Any, Any], message: str) -> None:
-    with pytest.raises(gcv.InputError, match=f"^{message}"):
+def test_failures(arguments: tuple[Any, Any], status: int, message: str) -> None:
+    with pytest.raises(gcv.InputError, match=f"^{message}") as caught:
         gcv.offset(SQUARE, *arguments)
+    assert caught.value.status == status
 
 
 def test_failures_of_polygons() -> None:
