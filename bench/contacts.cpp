@@ -30,7 +30,7 @@ constexpr double most_seconds_judged = 0.05;
 constexpr std::size_t fewest_in_turns = 16;
 constexpr double most_seconds_alone = 1;
 constexpr double seconds_of_turns = 0.4;
-constexpr int passes = 3;  // over single questions
+constexpr int passes = 7;  // over single questions
 
 double seconds_of(const Ask& ask, std::size_t first, std::size_t count, double* out) {
   const auto begin = std::chrono::steady_clock::now();
