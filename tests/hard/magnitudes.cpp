@@ -77,7 +77,7 @@ Pairs tiny_next_to_huge() {
   return pairs;
 }
 
-// Products of these need 106 bits, and intersections more than any fixed width.
+// Products of these need 106 bits, and comparisons of crossings 200 and more.
 Pairs integers_of_52_bits() {
   Random random(42);
   const auto large = [&](Polygon polygon) {

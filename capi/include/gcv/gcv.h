@@ -480,8 +480,10 @@ typedef struct gcv_outer_face gcv_outer_face;
  * @param options  or NULL for the defaults.
  * @param out      the new outer face, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
- *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
- *         where the result is so small that in doubles it has no area;
+ *         GCV_ERR_RANGE where a coordinate of the result is no finite double,
+ *         where the result is so small that in doubles it has no area, or, with
+ *         GCV_ROUND_OUTWARD, so thin, a few units in the last place of its length, that
+ *         no ring of doubles close around it is found;
  *         GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: the exact ring (gcv_outer_face_exact_vertex) is exact; the doubles of
  * gcv_outer_face_vertices are rounded from it as the options say, and always form a
@@ -841,8 +843,10 @@ enum { GCV_INSIDE = 1, GCV_BOUNDARY = 0, GCV_OUTSIDE = -1 };
  * @param options  or NULL for the defaults.
  * @param out      the new region, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_INVALID_ARGUMENT for an option;
- *         GCV_ERR_RANGE where a coordinate of the result is no finite double, or
- *         where the result is so small that in doubles it has no area;
+ *         GCV_ERR_RANGE where a coordinate of the result is no finite double,
+ *         where the result is so small that in doubles it has no area, or, with
+ *         GCV_ROUND_OUTWARD, so thin, a few units in the last place of its length, that
+ *         no region of doubles close to it is found;
  *         GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: the exact parts (gcv_region_exact_parts, gcv_region_exact_vertex) are exact; the
  * doubles of gcv_region_vertices are rounded from them as the options say.
