@@ -143,8 +143,9 @@ Point AheadCache::mean_place(std::size_t block, std::size_t back) const {
   return {sum.x / size, sum.y / size};
 }
 
-// The walk may swing to and fro, along spikes, by more than it gets ahead. Then it goes across its
-// swing: the least axis of its places, which that swing hardly turns, as it does their means.
+// The walk may swing to and fro, along spikes, by more than it gets ahead. Then the way from mean
+// to mean is chance for the most part, and the walk is taken to go across its swing: along the axis
+// on which its places spread least.
 Point AheadCache::heading(std::size_t block, std::size_t back, const Point& way) const {
   const Point mean = mean_place(block, back);
   double xx = 0;
