@@ -3,7 +3,7 @@
 //
 // Points and numbers as they are passed.
 
-import { errorOf, Status, unfit } from "./errors.js";
+import { errorOf, InputError, Status, unfit } from "./errors.js";
 
 /** A typed array of numbers. */
 export type NumberArray =
@@ -36,6 +36,17 @@ export function numbersOf(value: ArrayLike<number>, count: number, name: string)
   const numbers = isList(value) ? Array.from(value) : [];
   if (numbers.length !== count || !numbers.every((x) => typeof x === "number")) {
     throw unfit(name, value, count === 2 ? "a pair of numbers" : `${count} numbers`);
+  }
+  return numbers;
+}
+
+/** The same, if all of them are finite. @internal */
+export function finiteNumbersOf(value: ArrayLike<number>, count: number, name: string): number[] {
+  const numbers = numbersOf(value, count, name);
+  const k = numbers.findIndex((x) => !Number.isFinite(x));
+  if (k >= 0) {
+    const reason = `number ${k} is ${numbers[k]}, not finite`;
+    throw new InputError(Status.NOT_FINITE, `${name}: ${reason}`);
   }
   return numbers;
 }

@@ -9,7 +9,7 @@ import { counted, Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, doubleOf, doublesAt, pointerOf, withScratch } from "./memory.js";
 import { checkOptions, roundingOf, type SumOptions } from "./options.js";
-import { numberOf, numbersOf, type Point } from "./points.js";
+import { finiteNumbersOf, numberOf, numbersOf, type Point } from "./points.js";
 import { Shape } from "./shape.js";
 import { madeOf, madeOfMany, normalisedRings, type PolygonLike } from "./sources.js";
 import { svgPathOf } from "./svg_path.js";
@@ -160,7 +160,7 @@ export class Polygon extends Shape {
 
   /** The polygon moved by a vector, each coordinate correctly rounded. */
   translated(vector: Point): Polygon {
-    const [x, y] = numbersOf(vector, 2, "vector") as [number, number];
+    const [x, y] = finiteNumbersOf(vector, 2, "vector") as [number, number];
     return this.affine([1, 0, x, 0, 1, y]);
   }
 
@@ -198,7 +198,7 @@ export class Polygon extends Shape {
 
 function affineMade(polygon: Polygon, matrix: ArrayLike<number>): Made {
   return withScratch((scratch) => {
-    const numbers = scratch.doubles(numbersOf(matrix, 6, "matrix"));
+    const numbers = scratch.doubles(finiteNumbersOf(matrix, 6, "matrix"));
     return new Made(pointerOf((out) => library.gcv_polygon_affine(polygon.pointer, numbers, out)));
   });
 }

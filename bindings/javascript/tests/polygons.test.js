@@ -67,6 +67,9 @@ test("what is made of a polygon", () => {
   assert.deepEqual(polygon.affine([0, -1, 0, 1, 0, 0]).bounds, [-4, 0, 0, 6]);
   const rows = [[0, -1, 0], [1, 0, 0]];
   fails(() => polygon.affine(rows), InputError, Status.INVALID_ARGUMENT, /^matrix: .* is not 6 numbers/);
+  const endless = [1, 0, 0, 0, 1, Infinity];
+  fails(() => polygon.affine(endless), InputError, Status.NOT_FINITE, /^matrix: number 5 is Infinity/);
+  fails(() => polygon.translated([0, NaN]), InputError, Status.NOT_FINITE, /^vector: number 1 is NaN/);
   const { polygon: simple, errorBound } = new Polygon([...plate, [0, 2], [0.01, 1]]).simplified(0.1);
   assert.ok(simple.equals(polygon));
   assert.ok(errorBound > 0 && errorBound <= 0.1);

@@ -5,9 +5,11 @@
 from __future__ import annotations
 
 from array import array
+from math import isfinite
 from typing import Any, Optional
 
 from ._coordinates import Points, Rings, check_order, numbers, points
+from ._ffi import NOT_FINITE, InputError
 
 
 def six_numbers(matrix: Any) -> array[float]:
@@ -18,7 +20,11 @@ def six_numbers(matrix: Any) -> array[float]:
         values = [x for row in rows for x in row] if len(rows) == 2 else rows
     except TypeError:
         values = []
-    return numbers(values, 6, "matrix", matrix, "2 rows of 3 numbers, or 6 numbers")
+    found = numbers(values, 6, "matrix", matrix, "2 rows of 3 numbers, or 6 numbers")
+    for k, x in enumerate(found):
+        if not isfinite(x):
+            raise InputError(NOT_FINITE, f"matrix: number {k} is {x}, not finite")
+    return found
 
 
 def moved(given: Rings, matrix: array[float], images: list[Points]) -> Optional[Rings]:

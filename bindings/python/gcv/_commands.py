@@ -159,6 +159,8 @@ def _check_limits(options: Options) -> None:
     if options.best is not None:
         if options.window is not None:
             raise UsageError("--best takes no --window")
+        if options.svg is not None:
+            raise UsageError("--best takes no --svg: there is no region to draw")
         if options.container is None:
             raise UsageError("--best takes --container")
         if not any(options.best):

@@ -44,6 +44,7 @@ AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
         ("offset a.wkt --distance 1 --tolerance 0", "--tolerance: '0' is not above 0"),
         ("free a.wkt b.wkt", "--container or --window is needed"),
         ("free a.wkt b.wkt --best 1 0", "--best takes --container"),
+        ("free a.wkt b.wkt --best 1 0 --svg c.svg", "--best takes no --svg: there is no region"),
         ("free a.wkt b.wkt --container a.wkt --best 0 0", "--best 0 0 is no direction"),
         ("free a.wkt b.wkt --window 5 5 1 1", "--window takes XMIN YMIN XMAX YMAX"),
         ("free a.wkt b.wkt --window 0 0 1 0", "--window takes XMIN YMIN XMAX YMAX"),

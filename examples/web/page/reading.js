@@ -19,7 +19,10 @@ export function sourcesOf(text) {
         ? [plain(text)]
         : sourcesOfWKT(text);
   if (sources.length === 0) {
-    throw new Error("There is no polygon in this text: no WKT, GeoJSON, SVG or path of SVG.");
+    throw new Error(
+      "There is no polygon in this text: no WKT, GeoJSON, SVG or path of SVG. Curves, and circles, " +
+        "are none.",
+    );
   }
   return sources;
 }
