@@ -25,13 +25,13 @@ test("keys reach every shape, move it, and choose its vertices", async () => {
   await page.keyboard.press("ArrowUp");
   const [[u, v]] = await ringOf(page, 0);
   assert.ok(u > x && v > y);
+  await page.keyboard.press("e");
+  await page.waitForFunction(() => document.getElementById("live")?.textContent?.startsWith("Edge of the result"));
   await page.keyboard.press(".");
   await page.keyboard.press("Delete");
   await until(page, "Vertices of A, B", "23, 4");
   await page.keyboard.press("i");
   await until(page, "Vertices of A, B", "24, 4");
-  await page.keyboard.press("e");
-  await page.waitForFunction(() => document.getElementById("live")?.textContent?.startsWith("Edge of the result"));
   await page.keyboard.press("Tab");
   assert.match(await label(), /^B, 4 vertices/);
   await page.keyboard.press("2");

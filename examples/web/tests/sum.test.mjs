@@ -66,6 +66,8 @@ test("what is no simple polygon is named, and the last result stays", async () =
   await drag(page, await onScreen(page, x, y), await onScreen(page, x + 5, y + 2));
   await page.waitForFunction(() => document.getElementById("problem")?.textContent?.startsWith("A: "));
   assert.ok(Number((await factsOf(page))["Vertices of the result"]) > 0);
+  await page.keyboard.press("e");
+  assert.equal((await factsOf(page))["Edge from"], "none chosen");
   await drag(page, await onScreen(page, x + 5, y + 2), await onScreen(page, x, y));
   await page.waitForFunction(() => document.getElementById("problem")?.textContent === "");
 });

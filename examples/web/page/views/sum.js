@@ -142,8 +142,9 @@ export class SumView extends View {
   hover(point, reach) {
     super.hover(point, reach);
     const before = this.#edge;
-    const isOverResult = point !== null && this.newCorner === null && this.answer !== null;
-    this.#edge = isOverResult ? edgeNear(this.answer.region, this.#at, point, reach) : null;
+    const region = this.#told?.region;
+    const isOverResult = point !== null && this.newCorner === null && region !== undefined;
+    this.#edge = isOverResult ? edgeNear(region, this.#at, point, reach) : null;
     if (this.#edge !== before) {
       this.page.facts(this.facts());
     }
@@ -155,9 +156,14 @@ export class SumView extends View {
     this.hover(point, 16 / this.page.stage.camera.scale);
   }
 
+  /** The answer, if it is about the shapes as they are: there is none where one of them is wrong. */
+  get #told() {
+    return this.problem === "" ? /** @type {Answer | null} */ (this.answer) : null;
+  }
+
   /** What the chosen edge is made of. */
   get #source() {
-    const region = /** @type {Answer | null} */ (this.answer)?.region;
+    const region = this.#told?.region;
     return this.#edge === null || region === undefined ? null : sourceOf(region, this.#edge);
   }
 
@@ -192,10 +198,11 @@ export class SumView extends View {
 
   /** @override @param {KeyboardEvent} event */
   key(event) {
-    if (event.key.toLowerCase() !== "e" || this.answer === null) {
+    const region = this.#told?.region;
+    if (event.key.toLowerCase() !== "e" || region === undefined) {
       return false;
     }
-    const count = this.answer.region.vertices.length / 2;
+    const count = region.vertices.length / 2;
     const step = event.shiftKey ? -1 : 1;
     this.#edge = this.#edge === null ? 0 : (this.#edge + step + count) % count;
     this.page.say(`Edge of the result from ${this.#source?.words}`);
@@ -221,9 +228,10 @@ export class SumView extends View {
     if (this.#isNoFit) {
       pen.cross(placeOf(this.shapes[1], { ring: 0, index: 0 }), "b", 7);
     }
-    if (this.#edge !== null && answer !== null) {
-      const ends = endsOf(answer.region, this.#at, this.#edge);
-      drawSource(pen, ends, sourceOf(answer.region, this.#edge), this.shapes);
+    const told = this.#told;
+    if (this.#edge !== null && told !== null) {
+      const ends = endsOf(told.region, this.#at, this.#edge);
+      drawSource(pen, ends, sourceOf(told.region, this.#edge), this.shapes);
     }
   }
 }
