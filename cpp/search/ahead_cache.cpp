@@ -146,8 +146,9 @@ Point AheadCache::mean_place(std::size_t block, std::size_t back) const {
 // The walk may swing to and fro, along spikes, by more than it gets ahead. Then the way from mean
 // to mean is chance for the most part, and the walk is taken to go across its swing: along the axis
 // on which its places spread least.
-Point AheadCache::heading(std::size_t block, std::size_t back, const Point& way) const {
-  const Point mean = mean_place(block, back);
+Point AheadCache::heading(std::size_t block, std::size_t back, const Point& before,
+                          const Point& mean) const {
+  const Point way{mean.x - before.x, mean.y - before.y};
   double xx = 0;
   double xy = 0;
   double yy = 0;
@@ -180,10 +181,9 @@ bool AheadCache::lay_out(const Point& place) {
   const Point last = mean_place(block, 0);
   const Point middle = mean_place(block, block);
   const Point first = mean_place(block, 2 * block);
-  const Point way{last.x - middle.x, last.y - middle.y};
-  const Point before = heading(block, block, {middle.x - first.x, middle.y - first.y});
-  unit_ = heading(block, 0, way);
-  const double length = in_frame(way).x;
+  const Point before = heading(block, block, first, middle);
+  unit_ = heading(block, 0, middle, last);
+  const double length = in_frame({last.x - middle.x, last.y - middle.y}).x;
   double right = 0;
   double left = 0;
   for (std::size_t k = 0; k < block; ++k) {

@@ -149,8 +149,9 @@ class AheadCache {
   }
   // The mean of a block of such places.
   [[nodiscard]] Point mean_place(std::size_t block, std::size_t back) const;
-  // Where a block of places goes, the way from the mean of the one before to its own.
-  [[nodiscard]] Point heading(std::size_t block, std::size_t back, const Point& way) const;
+  // Where a block of places goes, given the mean of the one before and its own.
+  [[nodiscard]] Point heading(std::size_t block, std::size_t back, const Point& before,
+                              const Point& mean) const;
   bool lay_out(const Point& place);
   void gather(std::int64_t most, VisitedPairs* met);
   void add(const PairEdge& edge);

@@ -65,15 +65,18 @@ export function errorOf(status: Status, message: string): GcvError {
 }
 
 /** The error for an argument that is not what it should be. @internal */
-export function unfit(name: string, value: unknown, what: string): InputError {
-  return new InputError(Status.INVALID_ARGUMENT, `${name}: ${short(value)} is not ${what}`);
+export function unfit(
+  name: string,
+  value: unknown,
+  what: string,
+  status: Status = Status.INVALID_ARGUMENT,
+): InputError {
+  return new InputError(status, `${name}: ${short(value)} is not ${what}`);
 }
 
 /** The error for a number that is not finite, or out of its range. @internal */
 export function unfitNumber(name: string, value: number, what: string): InputError {
-  const { message } = unfit(name, value, what);
-  const status = Number.isFinite(value) ? Status.INVALID_ARGUMENT : Status.NOT_FINITE;
-  return new InputError(status, message);
+  return unfit(name, value, what, Number.isFinite(value) ? undefined : Status.NOT_FINITE);
 }
 
 /** The error for what cannot be a polygon, and why. @internal */

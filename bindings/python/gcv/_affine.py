@@ -5,11 +5,9 @@
 from __future__ import annotations
 
 from array import array
-from math import isfinite
 from typing import Any, Optional
 
-from ._coordinates import Points, Rings, check_order, numbers, points
-from ._ffi import NOT_FINITE, InputError
+from ._coordinates import Points, Rings, check_finite, check_order, numbers, points
 
 
 def six_numbers(matrix: Any) -> array[float]:
@@ -21,9 +19,7 @@ def six_numbers(matrix: Any) -> array[float]:
     except TypeError:
         values = []
     found = numbers(values, 6, "matrix", matrix, "2 rows of 3 numbers, or 6 numbers")
-    for k, x in enumerate(found):
-        if not isfinite(x):
-            raise InputError(NOT_FINITE, f"matrix: number {k} is {x}, not finite")
+    check_finite("matrix", found)
     return found
 
 

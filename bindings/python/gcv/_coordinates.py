@@ -231,10 +231,21 @@ def _is_no_coordinate(kind: type) -> bool:
     return is_complex or kind.__name__ == "MaskedConstant"
 
 
-def unfit(name: str, value: object, what: str, numbers: Iterable[float] = ()) -> InputError:
-    """The error for a value, of these numbers, that is not what it should be."""
-    status = INVALID_ARGUMENT if all(map(math.isfinite, numbers)) else NOT_FINITE
+def unfit(name: str, value: object, what: str, status: int = INVALID_ARGUMENT) -> InputError:
+    """The error for a value that is not what it should be."""
     return InputError(status, f"{name}: {_short(value)} is not {what}")
+
+
+def unfit_number(name: str, value: float, what: str) -> InputError:
+    """The error for a number that is not finite, or out of its range."""
+    return unfit(name, value, what, INVALID_ARGUMENT if math.isfinite(value) else NOT_FINITE)
+
+
+def check_finite(name: str, values: Iterable[float]) -> None:
+    """Raises InputError for a number that is not finite."""
+    for k, x in enumerate(values):
+        if not math.isfinite(x):
+            raise InputError(NOT_FINITE, f"{name}: number {k} is {x}, not finite")
 
 
 def _too_large(name: str, value: object) -> InputError:

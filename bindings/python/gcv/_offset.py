@@ -8,7 +8,7 @@ import math
 from typing import Optional, SupportsFloat
 
 from ._call import Progress
-from ._coordinates import number, unfit
+from ._coordinates import number, unfit_number
 from ._ffi import INVALID_ARGUMENT, InputError
 from ._polygon import Polygon, as_polygon
 from ._region import Region
@@ -54,9 +54,9 @@ def offset(
     polygon = as_polygon(polygon, "polygon")
     distance, tolerance = number(distance, "distance"), number(tolerance, "tolerance")
     if not math.isfinite(distance) or distance == 0:
-        raise unfit("distance", distance, "a finite number other than 0", (distance,))
+        raise unfit_number("distance", distance, "a finite number other than 0")
     if not 0 < tolerance < math.inf:
-        raise unfit("tolerance", tolerance, "a finite number above 0", (tolerance,))
+        raise unfit_number("tolerance", tolerance, "a finite number above 0")
     try:
         disc = Polygon.disc((0, 0), abs(distance), _SHARE_OF_DISC * tolerance, rounding="outward")
     except InputError:

@@ -11,7 +11,6 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable
 from ctypes import byref, c_double
-from math import isfinite
 from typing import (
     TYPE_CHECKING,
     Any,
@@ -26,7 +25,7 @@ from typing import (
 from . import _ffi, _structs
 from ._affine import moved, six_numbers
 from ._call import Rounding, value_of
-from ._coordinates import Rings, number, pair, points, size, split, unfit
+from ._coordinates import Rings, check_finite, number, pair, points, size, split
 from ._handles import created, mapped, normalised_rings
 from ._shape import Shape, array_of
 from ._sources import PolygonLike, PolygonsLike, read, read_holes
@@ -317,8 +316,7 @@ class Polygon(Shape):
         As affine does it.
         """
         x, y = pair(vector, "vector")
-        if not (isfinite(x) and isfinite(y)):
-            raise unfit("vector", vector, "a pair of finite numbers", (x, y))
+        check_finite("vector", (x, y))
         return self.affine((1, 0, x, 0, 1, y))
 
     def __neg__(self) -> Polygon:
