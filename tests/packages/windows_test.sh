@@ -27,10 +27,22 @@ need lld-link-14 lld-14
 # A Windows of its own, without windows on a screen, which starts once.
 export WINEPREFIX=$scratch/wine WINEDEBUG=-all WINEDLLOVERRIDES="mscoree,mshtml="
 unset DISPLAY
-mkdir -p "$WINEPREFIX"
-/usr/lib/wine/wineserver64 -p
 trap '/usr/lib/wine/wineserver64 -k || true' EXIT
-run wine "$wine" wineboot
+
+# start_wine: Windows made anew. Of a hundred such starts one did not find its kernel32.dll.
+start_wine() {
+  /usr/lib/wine/wineserver64 -k || true
+  rm -rf "$WINEPREFIX"
+  mkdir -p "$WINEPREFIX"
+  /usr/lib/wine/wineserver64 -p
+  "$wine" wineboot
+}
+
+if ! start_wine > wine.log 2>&1; then
+  cat wine.log
+  say "Windows does not start; once more"
+  run wine start_wine
+fi
 
 say "build"
 run build "$source/pkgconfig/windows/package.sh" build -DGCV_BUILD_TESTS=ON -DGCV_WERROR=ON
