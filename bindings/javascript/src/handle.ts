@@ -35,7 +35,7 @@ export abstract class Handle {
   /** How many calls use it and have not returned. */
   #calls = 0;
   readonly #destroy: Destroy;
-  readonly #facts = new Map<string, unknown>();
+  #facts: Map<string, unknown> | undefined;
 
   protected constructor(made: Made, destroy: Destroy) {
     this.#pointer = made.pointer;
@@ -80,6 +80,7 @@ export abstract class Handle {
   /** What ask() gives, asked once. @internal */
   protected known<T>(name: string, ask: (pointer: number) => T): T {
     const pointer = this.pointer;
+    this.#facts ??= new Map();
     if (!this.#facts.has(name)) {
       this.#facts.set(name, ask(pointer));
     }
@@ -119,7 +120,7 @@ export abstract class Handle {
       registry.unregister(this);
       library[this.#destroy](this.#pointer);
       this.#pointer = 0;
-      this.#facts.clear();
+      this.#facts = undefined;
     }
   }
 }

@@ -21,8 +21,19 @@ export class Scratch {
   }
 
   doubles(values: ArrayLike<number>): number {
-    const pointer = this.room(8 * values.length);
-    new Float64Array(library.memory.buffer, pointer, values.length).set(values);
+    return this.joined([values]);
+  }
+
+  /** The doubles of lists, one list after the other. */
+  joined(lists: readonly ArrayLike<number>[]): number {
+    const count = lists.reduce((sum, list) => sum + list.length, 0);
+    const pointer = this.room(8 * count);
+    const room = new Float64Array(library.memory.buffer, pointer, count);
+    let at = 0;
+    for (const list of lists) {
+      room.set(list, at);
+      at += list.length;
+    }
     return pointer;
   }
 

@@ -4,7 +4,7 @@
 // Polygons with a clearance.
 
 import { InputError, Status, unfitNumber } from "./errors.js";
-import { withOperands } from "./operands.js";
+import { newPolygon, withOperands } from "./operands.js";
 import { callOptions, checkOptions, type CallOptions, type RegionOptions } from "./options.js";
 import { numberOf } from "./points.js";
 import { Polygon } from "./polygon.js";
@@ -59,7 +59,9 @@ export function offset(
     throw tooSmall(tolerance, `a distance of ${distance}: its disc has too many vertices`);
   }
   return withOperands((operands) => {
-    const source = operands.polygon(polygon, "polygon");
+    operands.use(polygon);
+    const source =
+      polygon instanceof Polygon ? polygon : operands.own(newPolygon(polygon, "polygon"));
     const disc = operands.own(discOf(radius, tolerance));
     const region =
       distance > 0

@@ -4,45 +4,48 @@
 // The objects that a call uses.
 
 import { caught, GcvError, named } from "./errors.js";
-import type { Handle } from "./handle.js";
+import { Handle, type Made } from "./handle.js";
+import { library } from "./library.js";
 import { Polygon } from "./polygon.js";
-import { Shape } from "./shape.js";
-import type { PolygonLike } from "./sources.js";
+import { madeOf, type PolygonLike } from "./sources.js";
 
 /** What a call uses: nothing frees or changes it before the call returns, nor is it garbage. */
 export class Operands {
-  readonly #held: Handle[] = [];
-  readonly #made: Polygon[] = [];
+  readonly #ends: (() => void)[] = [];
 
-  /** The same object, in use from now on. */
-  use<T extends Handle>(object: T): T {
-    object.hold();
-    this.#held.push(object);
-    return object;
-  }
-
-  /** The polygon that a source is, or one made from it, which ends with the call. */
-  polygon(source: PolygonLike, name: string): Polygon {
-    if (source instanceof Shape) {
-      this.use(source);
+  /** The same object or source. What the library has is in use from now on. */
+  use<T>(object: T): T {
+    if (object instanceof Handle) {
+      object.hold();
+      this.#ends.push(() => object.release());
     }
-    return source instanceof Polygon ? source : this.own(newPolygon(source, name));
+    return object;
   }
 
   /** The same polygon, which ends with the call. */
   own(polygon: Polygon): Polygon {
-    this.#made.push(polygon);
+    this.#ends.push(() => polygon.free());
     return polygon;
+  }
+
+  /** The pointer of the polygon that a source is, or of one made from it, which ends with the call. */
+  polygon(source: PolygonLike, name: string): number {
+    this.use(source);
+    if (source instanceof Polygon) {
+      return source.pointer;
+    }
+    const { pointer } = madeFor(source, name);
+    this.#ends.push(() => library.gcv_polygon_destroy(pointer));
+    return pointer;
   }
 
   /** The pointers of the polygons of sources by the names of the arguments. */
   pointers(sources: Record<string, PolygonLike>): number[] {
-    return Object.entries(sources).map(([name, source]) => this.polygon(source, name).pointer);
+    return Object.entries(sources).map(([name, source]) => this.polygon(source, name));
   }
 
   end(): void {
-    this.#held.forEach((object) => object.release());
-    this.#made.forEach((polygon) => polygon.free());
+    this.#ends.forEach((end) => end());
   }
 }
 
@@ -66,9 +69,13 @@ export function withPolygons<T>(
 
 /** A new polygon from a source, whose name messages begin with. */
 export function newPolygon(source: PolygonLike, name: string): Polygon {
-  const polygon = caught(() => new Polygon(source));
-  if (polygon instanceof GcvError) {
-    throw named(polygon, name);
+  return new Polygon(madeFor(source, name));
+}
+
+function madeFor(source: PolygonLike, name: string): Made {
+  const made = caught(() => madeOf(source));
+  if (made instanceof GcvError) {
+    throw named(made, name);
   }
-  return polygon;
+  return made;
 }

@@ -210,7 +210,7 @@ export abstract class SceneMembers extends Handle {
 function withMany<T>(sources: readonly PolygonLike[], use: (pointers: number[]) => T): T {
   return withOperands((operands) => {
     const polygons = elementsOf(sources, "polygons");
-    return use(polygons.map((source, k) => operands.polygon(source, `polygons[${k}]`).pointer));
+    return use(polygons.map((source, k) => operands.polygon(source, `polygons[${k}]`)));
   });
 }
 

@@ -50,13 +50,13 @@ export function madeOfMany(sources: readonly PolygonLike[]): (Made | GcvError)[]
 
 function madeOfRings(rings: Ring[]): Made {
   return withScratch((scratch) => {
-    const vertices = scratch.doubles(joined(rings));
-    const sizes = scratch.words(rings.map((ring) => ring.length / 2));
+    const vertices = scratch.joined(rings);
+    const sizes = rings.map((ring) => ring.length / 2);
     return new Made(
       pointerOf((out) =>
-        rings.length === 1
-          ? library.gcv_polygon_create(vertices, rings[0].length / 2, 0, out)
-          : library.gcv_polygon_create_rings(vertices, sizes, rings.length, 0, out),
+        sizes.length === 1
+          ? library.gcv_polygon_create(vertices, sizes[0], 0, out)
+          : library.gcv_polygon_create_rings(vertices, scratch.words(sizes), sizes.length, 0, out),
       ),
     );
   });
@@ -66,22 +66,12 @@ function madeOfRings(rings: Ring[]): Made {
 function pointersOf(rings: Ring[]): number[] {
   return withScratch((scratch) => {
     const count = rings.length;
-    const vertices = scratch.doubles(joined(rings));
+    const vertices = scratch.joined(rings);
     const sizes = scratch.words(rings.map((ring) => ring.length / 2));
     const [out, statuses] = [scratch.room(4 * count), scratch.room(4 * count)];
     check(library.gcv_polygon_create_many(vertices, sizes, count, 0, out, statuses));
     return structsAt(out, 4, count, (at) => view().getUint32(at, true));
   });
-}
-
-function joined(rings: Ring[]): Float64Array {
-  const coordinates = new Float64Array(rings.reduce((sum, ring) => sum + ring.length, 0));
-  let at = 0;
-  for (const ring of rings) {
-    coordinates.set(ring, at);
-    at += ring.length;
-  }
-  return coordinates;
 }
 
 function ringsOrPolygon(source: PolygonLike): Ring[] | Made {

@@ -20,7 +20,6 @@ import {
 } from "./options.js";
 import { OuterFace } from "./outer_face.js";
 import { checkCounts, coordinatesOf, elementsOf, numbersOf, type Point, type Points } from "./points.js";
-import type { Polygon } from "./polygon.js";
 import { Region } from "./region.js";
 import type { PolygonLike } from "./sources.js";
 
@@ -169,7 +168,7 @@ function many<T extends OuterFace | Region>(
       elementsOf(list, name).map((source, k) =>
         caught(() => operands.polygon(source, `${name}[${k}]`)),
       ),
-    ]) as [[string, (Polygon | GcvError)[]], [string, (Polygon | GcvError)[]]];
+    ]) as [[string, (number | GcvError)[]], [string, (number | GcvError)[]]];
     const places =
       references == null ? null : coordinatesOf(references, "references", "an array of points");
     checkCounts(firstName, first.length, secondName, second.length);
@@ -182,8 +181,8 @@ function many<T extends OuterFace | Region>(
     throwFirst(results, options);
     const tried = [...results.keys()].filter((k) => results[k] === undefined);
     withScratch((scratch) => {
-      const pointers = (polygons: (Polygon | GcvError)[]) =>
-        scratch.words(tried.map((k) => (polygons[k] as Polygon).pointer));
+      const pointers = (polygons: (number | GcvError)[]) =>
+        scratch.words(tried.map((k) => polygons[k] as number));
       const [a, b, count] = [pointers(first), pointers(second), tried.length];
       const points = tried.flatMap((k) => [places?.[2 * k] ?? 0, places?.[2 * k + 1] ?? 0]);
       const given = "fixed" in sources ? [scratch.doubles(points)] : [];
