@@ -52,8 +52,9 @@ class Lazy {
     return *place;
   }
 
+  // Not in line: get() is called for every question.
   template <class Make>
-  static const Value& value_in(Place& place, Make make) {
+  [[gnu::noinline]] static const Value& value_in(Place& place, Make make) {
     const std::lock_guard<std::mutex> lock(place.mutex);
     if (!place.value) {
       place.value.emplace(make());

@@ -41,7 +41,10 @@ class LastSide {
 class OverlapSearch {
  public:
   OverlapSearch(const PlacedPair& placed, Tally& tally)
-      : placed_(placed), relative_(placed), tally_(tally) {}
+      : placed_(placed),
+        relative_(placed),
+        is_far_from_overflow_(relative_.reach() < 0x1p400),
+        tally_(tally) {}
 
   // The rings of A that the boundary of B has met so far.
   [[nodiscard]] const Rings& touched_rings() const { return touched_rings_; }
@@ -74,7 +77,8 @@ class OverlapSearch {
 
  private:
   [[nodiscard]] unsigned near_children(const ChainTree::Block& block, const Box& box) const {
-    return block.overlapping(widened(box, placed_.pair.slack)) & children_of(block);
+    const unsigned near = block.overlapping(widened(box, placed_.pair.slack));
+    return is_far_from_overflow_ ? near : near & children_of(block);
   }
 
   // Do the interiors meet beside a point of both edges? At the ends of the edges, their starts are
@@ -179,6 +183,7 @@ class OverlapSearch {
 
   const PlacedPair& placed_;
   const RelativePair relative_;
+  const bool is_far_from_overflow_;  // then boxes of missing children are apart from all others
   Tally& tally_;
   LastSide of_a_;  // vertices, and lines of B
   LastSide of_b_;
