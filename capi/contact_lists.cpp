@@ -80,7 +80,7 @@ gcv_status gcv_contacts(const gcv_polygon* a, const gcv_polygon* b, const double
     require(t, "t");
     require(out, "out");
     const gcv_options given = read_options(options);
-    const Vectors translation(t, 1, "t");
+    const Vectors translation(t, 1, "translation");
     require_size(distance, "distance");
     require_size(slope, "slope");
     const PolygonPair pair(*a->polygon, *b->polygon);

@@ -186,7 +186,7 @@ static void refused_contacts(void) {
   static const double t[] = {0, 0}, bad[] = {0, INFINITY};
   gcv_polygon *square = SQUARE(2);
   gcv_contact_list *list = NULL;
-  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "t: number 0",
+  CHECK_REFUSED(GCV_ERR_NOT_FINITE, "translation: number 0",
                 gcv_contacts(square, square, bad, 0, 0, NULL, &list));
   CHECK_REFUSED(GCV_ERR_NOT_FINITE, "distance is",
                 gcv_contacts(square, square, t, NAN, 0, NULL, &list));
