@@ -12,6 +12,11 @@ namespace gcv::limits {
 // A table holds so many superset edges at most: half of what five levels of eight children hold,
 // which is what a search has room for on its stack.
 inline constexpr std::uint64_t most_table_edges = 16384;
+// At most so many edges of each polygon may be too short for its grid, or one of so many. They may
+// all lie in one place, as those of a small polygon beside a large one do. With 16 of them sums by
+// tables take 0.03 to 1.05 of the time by trees, with 24 up to 1.15, with 48 up to 1.9.
+inline constexpr std::uint32_t most_short_edges = 16;
+inline constexpr std::uint32_t edges_a_short_one = 8;
 
 // Equal chains are looked for where both polygons have so many edges: smaller sums are quick as
 // they are.

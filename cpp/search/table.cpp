@@ -114,8 +114,8 @@ CoarseGrid CoarseGrid::of(const Boundary& polygon) const { return {scale_, middl
 
 bool CoarseGrid::is_fine_enough(const Operands& operands) const {
   const Point shortest{2 / scale_.x, 2 / scale_.y};
-  const auto most_are_longer = [&](const Boundary& polygon) {
-    std::size_t short_edges = 0;
+  const auto are_long_or_few = [&](const Boundary& polygon) {
+    Index short_edges = 0;
     polygon.layout.for_each_edge([&](Index i, Index next) {
       const Point& p = polygon.vertices[i];
       const Point& q = polygon.vertices[next];
@@ -123,11 +123,12 @@ bool CoarseGrid::is_fine_enough(const Operands& operands) const {
         ++short_edges;
       }
     });
-    return short_edges <= polygon.size() / 8;
+    return short_edges <=
+           std::max(limits::most_short_edges, polygon.size() / limits::edges_a_short_one);
   };
   const auto is_usable = [](double scale) { return scale > 0 && std::isfinite(scale); };
-  return is_usable(scale_.x) && is_usable(scale_.y) && most_are_longer(operands.a) &&
-         most_are_longer(operands.b);
+  return is_usable(scale_.x) && is_usable(scale_.y) && are_long_or_few(operands.a) &&
+         are_long_or_few(operands.b);
 }
 
 SupersetTable::SupersetTable(const Operands& operands, const CoarseGrid& grid,

@@ -31,8 +31,8 @@ class CoarseGrid {
  public:
   explicit CoarseGrid(const Operands& operands);
 
-  // Are all numbers in range, and most edges of both polygons longer than two units? Where they
-  // are not, too many edges are in one place. O(n + m).
+  // Are all numbers in range, and edges of both polygons that are no longer than two units few?
+  // Where they are not, too many edges are in one place. O(n + m).
   [[nodiscard]] bool is_fine_enough(const Operands& operands) const;
 
   // In units of the grid, not rounded.
@@ -77,8 +77,9 @@ class SupersetTable {
         : grid_(tree.grid_), from_(grid_.place(from)) {
       const Point direction = grid_.direction(s);
       const double size = std::max(std::abs(direction.x), std::abs(direction.y));
-      const int dx = CoarseGrid::rounded(direction.x / size * 0x7fff);
-      const int dy = CoarseGrid::rounded(direction.y / size * 0x7fff);
+      const bool is_known = size >= 0x1p-900;  // else 0, which leaves nothing out
+      const int dx = is_known ? CoarseGrid::rounded(direction.x / size * 0x7fff) : 0;
+      const int dy = is_known ? CoarseGrid::rounded(direction.y / size * 0x7fff) : 0;
       const auto offset = static_cast<int>((dx * from_.y - dy * from_.x) * 0x1p-16);
       dx_ = SimdShort::of(dx);
       dy_ = SimdShort::of(dy);

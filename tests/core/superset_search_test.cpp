@@ -66,8 +66,37 @@ std::vector<PairEdge> all_edges(const Operands& operands) {
   return edges;
 }
 
-// Searches for the edges that meet a piece of each edge: prepare(operands, edges) gives a
-// search(edge, piece, visit), which calls visit(e). The piece is the edge or its first half.
+// Searches for the edges that meet a piece of each edge, by search(edge, piece, visit), which calls
+// visit(e). The piece is the edge or its first half. Returns how many were visited.
+template <class SearchFor>
+std::size_t expect_found(const Operands& operands, const std::vector<PairEdge>& edges,
+                         SearchFor search) {
+  std::set<std::tuple<PairEdge::Kind, Index, Index>> all;
+  for (const PairEdge& e : edges) {
+    all.insert(key(e));
+  }
+  std::size_t visited = 0;
+  std::size_t number = 0;
+  for (const PairEdge& s : edges) {
+    Segment piece = segment(operands, s);
+    const SumEdge line = coordinates(operands.a, operands.b, s);
+    const SumEdge edge{{piece.from, {0, 0}}, piece.from, piece.to, line.dx, line.dy};
+    if (number++ % 2 == 0) {
+      piece.to = {piece.from.x + edge.dx / 2, piece.from.y + edge.dy / 2};
+    }
+    std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
+    search(edge, piece, [&](const PairEdge& e) {
+      EXPECT_TRUE(all.count(key(e)) != 0 && found.insert(key(e)).second);
+    });
+    visited += found.size();
+    for (const PairEdge& e : edges) {
+      EXPECT_TRUE(!meet(piece, segment(operands, e)) || found.count(key(e)) != 0);
+    }
+  }
+  return visited;
+}
+
+// The same for many polygons: prepare(operands, edges) gives the search.
 template <class Prepare>
 void expect_all_found(double most_visits, Prepare prepare) {
   Random random(71);
@@ -110,51 +139,47 @@ void expect_all_found(double most_visits, Prepare prepare) {
     const gcv::Boundary b = polygon(4 + k % 21);
     const Operands operands{a, b, merge_directions(a, b, tally)};
     const std::vector<PairEdge> edges = all_edges(operands);
-    std::set<std::tuple<PairEdge::Kind, Index, Index>> all;
-    for (const PairEdge& e : edges) {
-      all.insert(key(e));
-    }
-    const auto search = prepare(operands, edges);
-    std::size_t number = 0;
-    for (const PairEdge& s : edges) {
-      Segment piece = segment(operands, s);
-      const SumEdge edge{{piece.from, {0, 0}},
-                         piece.from,
-                         piece.to,
-                         piece.to.x - piece.from.x,
-                         piece.to.y - piece.from.y};
-      if (number++ % 2 == 0) {
-        piece.to = {piece.from.x + edge.dx / 2, piece.from.y + edge.dy / 2};
-      }
-      std::set<std::tuple<PairEdge::Kind, Index, Index>> found;
-      search(edge, piece, [&](const PairEdge& e) {
-        EXPECT_TRUE(all.count(key(e)) != 0 && found.insert(key(e)).second);
-      });
-      if (exponent < 900) {  // there, products overflow
-        visited += found.size();
-        possible += edges.size();
-      }
-      for (const PairEdge& e : edges) {
-        if (meet(piece, segment(operands, e))) {
-          ASSERT_TRUE(found.count(key(e)) != 0);
-        }
-      }
+    const std::size_t found = expect_found(operands, edges, prepare(operands, edges));
+    if (exponent < 900) {  // there, products overflow
+      visited += found;
+      possible += edges.size() * edges.size();
     }
   }
   EXPECT_LT(static_cast<double>(visited), most_visits * static_cast<double>(possible));
 }
 
+auto search_in_table(const Operands& operands, const std::vector<PairEdge>& edges) {
+  const RankedEdges ranked(operands.directions);
+  const CoarseGrid grid(operands);
+  EXPECT_EQ(count_superset(operands, ranked), edges.size());
+  EXPECT_TRUE(grid.is_fine_enough(operands) || operands.a.layout.ring_count() > 1);
+  return [tree = SupersetTable(operands, grid, ranked, edges.size())](
+             const SumEdge& edge, const Segment& piece, auto visit) {
+    tree.search(SupersetTable::Piece(tree, edge, piece.from, piece.to), visit);
+  };
+}
+
 TEST(SupersetTable, FindsAllEdgesThatMeetAPiece) {
   expect_all_found(0.3, [](const Operands& operands, const std::vector<PairEdge>& edges) {
-    const RankedEdges ranked(operands.directions);
-    const CoarseGrid grid(operands);
-    EXPECT_EQ(count_superset(operands, ranked), edges.size());
-    EXPECT_TRUE(grid.is_fine_enough(operands) || operands.a.layout.ring_count() > 1);
-    return [tree = SupersetTable(operands, grid, ranked, edges.size())](
-               const SumEdge& edge, const Segment& piece, auto visit) {
-      tree.search(SupersetTable::Piece(tree, edge, piece.from, piece.to), visit);
-    };
+    return search_in_table(operands, edges);
   });
+}
+
+// In units of the grid their directions are too small for doubles.
+TEST(SupersetTable, FindsEdgesBesideTheShortestOnes) {
+  for (const double unit : {0x1p-60, 0x1p-1000, 0x1p-1070}) {
+    const Ring large{{0, 0}, {0x1p1000, 0}, {0x1p999, 0x1p999}, {0, 0x1p1000}};
+    Ring small{{0, 0}, {9, 1}, {9, 4}, {3, 3}, {5, 8}, {0, 7}};
+    for (Point& p : small) {
+      p = {p.x * unit, p.y * unit};
+    }
+    Tally tally;
+    const gcv::Boundary a = make_ring(large, "large");
+    const gcv::Boundary b = make_ring(small, "small");
+    const Operands operands{a, b, merge_directions(a, b, tally)};
+    const std::vector<PairEdge> edges = all_edges(operands);
+    expect_found(operands, edges, search_in_table(operands, edges));
+  }
 }
 
 // A gear of so many teeth, whose edges are about as long as its radius over their number, stretched
