@@ -25,7 +25,7 @@ std::uint64_t count_contributions(const EdgesByRank& edges, const Boundary& poly
 class ZOrder {
  public:
   explicit ZOrder(std::size_t edges)
-      : bits_((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2),
+      : bits_(std::min((static_cast<unsigned>(std::bit_width(edges)) + 1) / 2, 8U)),
         mask_(0x00010001U * ((1U << bits_) - 1)) {}
 
   [[nodiscard]] std::size_t cells() const { return std::size_t{1} << (2 * bits_); }

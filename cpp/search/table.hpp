@@ -171,8 +171,8 @@ class SupersetTable {
   }
 
  private:
-  static constexpr std::uint32_t most_levels = 5;
-  static_assert(limits::most_table_edges <= std::uint64_t{1} << (3 * most_levels) &&
+  static constexpr std::uint32_t most_levels = 6;
+  static_assert(limits::most_linear_edges <= std::uint64_t{1} << (3 * most_levels) &&
                 SimdShort::width == 8);
 
   CoarseGrid grid_;

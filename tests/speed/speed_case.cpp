@@ -142,6 +142,24 @@ Pair coast_and_convex() {
   return {coast(random, 250), scaled(octagon, 200)};
 }
 
+// A corridor of width 1 between walls, round and round, and what is small in it: the ring goes all
+// along it, and boxes of parts of the walls lie one in another.
+Pair spiral_and_small() {
+  constexpr int turns = 1200;
+  Polygon walls;
+  Polygon inner;
+  double low = 0;
+  double high = 4 * turns;
+  for (int k = 0; k < turns; ++k, low += 2, high -= 2) {
+    walls.insert(walls.end(), {{low, low}, {high, low}, {high, high}, {low + 2, high}});
+    inner.insert(
+        inner.end(),
+        {{low + 1, low + 1}, {high - 1, low + 1}, {high - 1, high - 1}, {low + 3, high - 1}});
+  }
+  walls.insert(walls.end(), inner.rbegin(), inner.rend());
+  return {walls, scaled(octagon, 0x1p-8)};
+}
+
 Pair key_in_slot() {
   const Slot slot{3, 4, 7, 5};
   const Map turn = rotation(7, 2);
@@ -170,7 +188,8 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"coasts", coasts},
                                                          {"key_in_slot", key_in_slot},
                                                          {"part_and_convex", part_and_convex},
-                                                         {"coast_and_convex", coast_and_convex}};
+                                                         {"coast_and_convex", coast_and_convex},
+                                                         {"spiral_and_small", spiral_and_small}};
 
 // Their whole regions.
 const std::map<std::string, std::function<Pair()>> region_cases{
