@@ -158,8 +158,9 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
                          const std::optional<Box>& window) {
   const std::optional<Solid> container = container_of(scene, query);
   if (!container && !window) {
-    throw Error(Status::invalid_argument,
-                "window: there is none, and no container: the free set is unbounded");
+    throw Error(
+        Status::invalid_argument,
+        "window: there is none, and no container for this query: the free set is unbounded");
   }
   const Box moving = turned_round(reflected.bounds);
   // What a polygon in the window can reach.

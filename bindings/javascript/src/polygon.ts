@@ -93,7 +93,7 @@ export class Polygon extends Shape {
   /**
    * All rings, each x0, y0, x1, y1, ... First the outer ring, counter-clockwise, then the holes in
    * the order passed, clockwise. Each begins with its lexicographically smallest vertex, and has
-   * no repeated and no collinear vertices. The same arrays at each access.
+   * no repeated and no collinear vertices. The same arrays at each access: do not change them.
    */
   get rings(): Float64Array[] {
     return this.known("rings", normalisedRings);

@@ -172,9 +172,9 @@ def cast(
 
     translation, motion: each is (x, y), or an array of shape (n, 2), or a sequence of
     pairs, in input units. Two pairs give an Impact. Otherwise there is an array of n of
-    dtype IMPACT_DTYPE, with the fields hit, relation, time, position and contact, which
-    is all 0 where there is none; a pair stands for n of them. Without numpy that is a
-    list of Impact.
+    dtype IMPACT_DTYPE, with the fields hit, which is 1 or 0, relation, time, position
+    and contact, which is all 0 where there is none; a pair stands for n of them. Without
+    numpy that is a list of Impact.
 
     hit, contact and relation are exact. The time is rounded down: B does not overlap A
     at translation + time * motion, taken exactly.

@@ -1483,7 +1483,8 @@ typedef struct gcv_query {
   size_t ignore_count;
 } gcv_query;
 
-/** All members and the container, as an initialiser. @since 0.2 */
+/** All members but those in no layer, and the container, as an initialiser. So is a query that is
+ *  NULL. @since 0.2 */
 #define GCV_QUERY_INIT \
   { sizeof(gcv_query), UINT32_MAX, NULL, 0 }
 

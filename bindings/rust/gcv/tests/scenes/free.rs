@@ -298,7 +298,8 @@ fn windows_that_are_refused() {
         assert_fails(ask(window), status, message);
     }
     let failed = Scene::new().free_region(&part, None, &all(), &Options::new());
-    let message = "window: there is none, and no container: the free set is unbounded";
+    let message =
+        "window: there is none, and no container for this query: the free set is unbounded";
     assert_fails(failed, refused, message);
 }
 
