@@ -357,7 +357,8 @@ def _restored(
     """The scene of a pickle.
 
     The library gives out ids one after the other. So members for all of them are added, and
-    those for ids that are not in use are removed again.
+    those for ids that are not in use are removed again. A class derived from Scene, which
+    has no attributes yet, is not asked.
     """
     scene = kind.__new__(kind)
     Members.__init__(scene, container)
@@ -366,7 +367,7 @@ def _restored(
     for start in range(_FIRST_ID, last + 1, _IDS_AT_A_TIME):
         ids = range(start, min(start + _IDS_AT_A_TIME, last + 1))
         members = [(polygons[k], places[k]) if k in polygons else none for k in ids]
-        scene.add([polygon for polygon, _ in members], [place for _, place in members])
-        scene.remove([k for k in ids if k not in polygons])
-    scene.set_layers(layers, layers.values())
+        Members.add(scene, [polygon for polygon, _ in members], [place for _, place in members])
+        Members.remove(scene, [k for k in ids if k not in polygons])
+    Members.set_layers(scene, layers, layers.values())
     return scene

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import copy
 import pickle
-from typing import Callable
+from typing import Any, Callable
 
 import pytest
 from matplotlib import pyplot
@@ -127,12 +127,16 @@ def test_plot() -> None:
 
 
 class Wall(gcv.Scene):
-    """Has no container to be made with, and attributes of its own."""
+    """Has no container to be made with, attributes of its own, and notes what is added."""
 
     def __init__(self, name: str = "wall") -> None:
         super().__init__()
         self.name = name
         self.notes: list[str] = []
+
+    def add(self, polygons: Any, positions: Any = (0, 0)) -> Any:
+        self.notes.append("block")
+        return super().add(polygons, positions)
 
 
 @pytest.mark.parametrize(
@@ -146,7 +150,7 @@ def test_derived_classes_keep_what_they_add(again_of: Callable[[Wall], Wall]) ->
     wall.notes.append("dry")
     again = again_of(wall)
     assert type(again) is Wall
-    assert (again.name, again.notes) == ("north", ["dry"])
+    assert (again.name, again.notes) == ("north", ["block", "dry"])
     assert again.container == wall.container
     assert again.positions().tolist() == [[1, 1], [2, 1]]
     shares = again_of in (gcv.Scene.copy, copy.copy)
