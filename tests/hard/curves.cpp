@@ -23,24 +23,6 @@ Pairs with_others(const std::vector<Polygon>& curves) {
   return pairs;
 }
 
-// A wall that winds inwards.
-Polygon square_spiral(int turns) {
-  Polygon outer;
-  Polygon inner;
-  double low = 0;
-  double high = 4.0 * turns;
-  for (int k = 0; k < turns; ++k) {
-    outer.insert(outer.end(), {{low, low}, {high, low}, {high, high}, {low + 2, high}});
-    inner.insert(
-        inner.end(),
-        {{low + 1, low + 1}, {high - 1, low + 1}, {high - 1, high - 1}, {low + 3, high - 1}});
-    low += 2;
-    high -= 2;
-  }
-  outer.insert(outer.end(), inner.rbegin(), inner.rend());
-  return outer;
-}
-
 Polygon round_spiral(int vertices) {
   const Map turn = rotation(12, 1);
   Polygon outer;

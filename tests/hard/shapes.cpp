@@ -121,6 +121,23 @@ Polygon comb(int teeth, double width, double gap, double height) {
   return polygon;
 }
 
+Polygon square_spiral(int turns) {
+  Polygon outer;
+  Polygon inner;
+  double low = 0;
+  double high = 4.0 * turns;
+  for (int k = 0; k < turns; ++k) {
+    outer.insert(outer.end(), {{low, low}, {high, low}, {high, high}, {low + 2, high}});
+    inner.insert(
+        inner.end(),
+        {{low + 1, low + 1}, {high - 1, low + 1}, {high - 1, high - 1}, {low + 3, high - 1}});
+    low += 2;
+    high -= 2;
+  }
+  outer.insert(outer.end(), inner.rbegin(), inner.rend());
+  return outer;
+}
+
 Polygon histogram(Random& random, int columns, int extent) {
   Polygon polygon{{0, 0}};
   double x = 0;

@@ -60,6 +60,8 @@ std::pair<Polygon, Polygon> rotated_slot(Random& random, int k);
 
 // Teeth that point upwards from a bar.
 Polygon comb(int teeth, double width, double gap, double height);
+// A wall of thickness 1 that winds inwards, with a corridor of width 1 along it.
+Polygon square_spiral(int turns);
 // Columns of random integer widths and heights.
 Polygon histogram(Random& random, int columns, int extent);
 // Spikes around a point, symmetric to both axes and both diagonals.

@@ -142,23 +142,8 @@ Pair coast_and_convex() {
   return {coast(random, 250), scaled(octagon, 200)};
 }
 
-// A corridor of width 1 between walls, round and round, and what is small in it: the ring goes all
-// along it, and boxes of parts of the walls lie one in another.
-Pair spiral_and_small() {
-  constexpr int turns = 1200;
-  Polygon walls;
-  Polygon inner;
-  double low = 0;
-  double high = 4 * turns;
-  for (int k = 0; k < turns; ++k, low += 2, high -= 2) {
-    walls.insert(walls.end(), {{low, low}, {high, low}, {high, high}, {low + 2, high}});
-    inner.insert(
-        inner.end(),
-        {{low + 1, low + 1}, {high - 1, low + 1}, {high - 1, high - 1}, {low + 3, high - 1}});
-  }
-  walls.insert(walls.end(), inner.rbegin(), inner.rend());
-  return {walls, scaled(octagon, 0x1p-8)};
-}
+// The ring goes all along the corridor, and boxes of parts of its wall lie one in another.
+Pair spiral_and_small() { return {square_spiral(1200), scaled(octagon, 0x1p-8)}; }
 
 Pair key_in_slot() {
   const Slot slot{3, 4, 7, 5};

@@ -77,7 +77,11 @@ export class Scene extends SceneMembers {
    * Where a polygon is free: where it lies in the container and overlaps no member. With a window,
    * what of that lies in it. Without a container there must be a window.
    */
-  freeRegion(moving: PolygonLike, window: Readonly<Box> | null = null, options: FreeRegionOptions = {}): Region {
+  freeRegion(
+    moving: PolygonLike,
+    window: Readonly<Box> | null = null,
+    options: FreeRegionOptions = {},
+  ): Region {
     return this.ask({ moving }, options, regionOptions, (scratch, polygon, query) => {
       const bounds = window === null ? 0 : scratch.doubles(numbersOf(window, 4, "window"));
       return new Region(
