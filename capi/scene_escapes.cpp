@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Free positions in a scene: gcv_scene_best, gcv_scene_penetration.
+#include "scene_escapes.hpp"
+
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -22,6 +24,7 @@ using gcv::Error;
 using gcv::FreePositions;
 using gcv::Point;
 using gcv::Query;
+using gcv::SceneEscapeSearch;
 using gcv::Status;
 using gcv::Tally;
 using gcv::Task;
@@ -87,9 +90,12 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     const gcv::capi::Vectors all(positions, count, "positions");
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
-    gcv::capi::give_all(count, Task::portion, 1, 1, known, out, [&](Tally& tally, Task& task) {
-      return [&](std::size_t k) {
-        const auto [id, escape] = ways.escape(all[k], task, tally);
+    // What is near some positions is joined once.
+    const unsigned threads = gcv::capi::threads_of(known);
+    const std::size_t block = threads == 1 ? count : count / (std::size_t{8} * threads) + 1;
+    gcv::capi::give_all(count, Task::portion, 1, block, known, out, [&](Tally& tally, Task& task) {
+      return [&, search = SceneEscapeSearch(ways, tally)](std::size_t k) mutable {
+        const auto [id, escape] = search.find(all[k], task);
         const auto& [depth, way, place, contact] = escape;
         require_finite(place.position, "positions", k);
         require_finite(contact, "positions", k);

@@ -6,18 +6,13 @@
 #include <optional>
 #include <vector>
 
-#include "penetration.hpp"
+#include "exact_region.hpp"
 #include "polygon.hpp"
 #include "scene_questions.hpp"
 #include "task.hpp"
+#include "usable_position.hpp"
 
 namespace gcv {
-
-// A way out of all overlaps, and the solid that the polygon touches there: 0 if it overlapped none.
-struct SceneEscape {
-  Id id;
-  Escape escape;  // the depth is infinite where nothing is free
-};
 
 class FreePositions {
  public:
@@ -32,17 +27,23 @@ class FreePositions {
         wanted_{true, with_fits},
         questions_(scene, query, moving_) {}
 
-  // The shortest way out, of several the lexicographically smallest. Throws Error: cancelled,
-  // internal.
-  [[nodiscard]] SceneEscape escape(const Point& position, Task& task, Tally& tally) const;
+  [[nodiscard]] const Scene& scene() const { return scene_; }
+  [[nodiscard]] const Query& query() const { return query_; }
+  [[nodiscard]] const Boundary& moving() const { return moving_; }
+  [[nodiscard]] const Boundary& reflected() const { return reflected_; }
+  [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
+  [[nodiscard]] Relation relation(const Point& position, Tally& tally) const {
+    return questions_.relation(position, tally);
+  }
 
+  // A position in doubles for a place.
+  [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
   // The furthest position in a direction, of several the lexicographically smallest; nothing if
   // there is none. Throws Error: invalid_argument without a container; cancelled, internal.
   [[nodiscard]] std::optional<UsablePosition> furthest(const Point& direction, Task& task,
                                                        Tally& tally) const;
 
  private:
-  [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
   // The same, or the nearest free position found on one of the ways.
   [[nodiscard]] UsablePosition usable_along(const ExactPoint& place, const std::vector<Point>& ways,
                                             Tally& tally) const;

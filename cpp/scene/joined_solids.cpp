@@ -120,21 +120,13 @@ std::optional<Solid> container_of(const Scene& scene, const Query& query) {
   return query.admits_container() ? scene.container() : std::nullopt;
 }
 
-// The members whose boxes meet a box: neighbours in a row, whatever the order of their ids, for the
-// trees over their edges.
-std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, const Box& box) {
-  std::vector<std::uint32_t> slots;
-  any_near(scene, query, box, [&](std::uint32_t slot) {
-    slots.push_back(slot);
-    return false;
+// Neighbours in a row, for the trees over their edges.
+Slots in_a_row(const Scene& scene, const Slots& slots) {
+  Slots order = order_on_curve(static_cast<std::uint32_t>(slots.size()), [&](std::uint32_t k) {
+    const Solid solid = scene.solid(slots[k]);
+    return moved_outwards(solid.boundary.bounds, solid.position);
   });
-  std::sort(slots.begin(), slots.end());
-  std::vector<std::uint32_t> order =
-      order_on_curve(static_cast<std::uint32_t>(slots.size()), [&](std::uint32_t k) {
-        const Solid solid = scene.solid(slots[k]);
-        return moved_outwards(solid.boundary.bounds, solid.position);
-      });
-  for (std::uint32_t& k : order) {
+  for (BoxForest::Slot& k : order) {
     k = slots[k];
   }
   return order;
@@ -142,13 +134,23 @@ std::vector<std::uint32_t> slots_near(const Scene& scene, const Query& query, co
 
 }  // namespace
 
-JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Box& box) {
+Slots slots_near(const Scene& scene, const Query& query, const Box& box) {
+  Slots slots;
+  any_near(scene, query, box, [&](BoxForest::Slot slot) {
+    slots.push_back(slot);
+    return false;
+  });
+  std::sort(slots.begin(), slots.end());
+  return slots;
+}
+
+JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots) {
   Joining joining;
   if (const std::optional<Solid> container = container_of(scene, query)) {
     joining.add(*container);
   }
   const Index first = joining.size();
-  for (const std::uint32_t slot : slots_near(scene, query, box)) {
+  for (const BoxForest::Slot slot : in_a_row(scene, slots)) {
     joining.add(scene.solid(slot));
   }
   return joining.run(first, joining.size(), std::nullopt);
@@ -182,7 +184,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
     joining.add(0, *frame, {0, 0});
   }
   const Index first = joining.size();
-  for (const std::uint32_t slot : slots_near(scene, query, reach)) {
+  for (const BoxForest::Slot slot : in_a_row(scene, slots_near(scene, query, reach))) {
     joining.add(scene.solid(slot));
   }
   const Index last = joining.size();

@@ -31,8 +31,13 @@ struct JoinedSolids {
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
                          const std::optional<Box>& window);
 
-// The container, if the query admits it, and the members that it admits whose boxes meet a box.
+using Slots = std::vector<BoxForest::Slot>;
+
+// The members that a query admits whose boxes meet a box, in order.
+Slots slots_near(const Scene& scene, const Query& query, const Box& box);
+
+// The container, if the query admits it, and members, in an order that does not depend on theirs.
 // There must be one of these.
-JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Box& box);
+JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots);
 
 }  // namespace gcv

@@ -39,6 +39,8 @@ class CoveredCells {
   [[nodiscard]] std::uint32_t cell(double place) const {
     return place > 0 ? static_cast<std::uint32_t>(place < last_ ? place : last_) : 0;
   }
+  // Are cells much larger than their margin?
+  [[nodiscard]] bool has_room() const { return 64 * margin_ < size_.x && 64 * margin_ < size_.y; }
   // In column x of row y.
   [[nodiscard]] bool is_set(std::uint32_t x, std::uint32_t y) const {
     return (bits_[y * words_ + x / word_size] >> (x % word_size) & 1U) != 0;

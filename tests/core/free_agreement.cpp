@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 #include "correct_rounding.hpp"
@@ -257,6 +258,12 @@ Messages check_ways_out(const FreeQuestion& question, const ExactParts& whole,
       "ways out");
   Messages messages;
   for (std::size_t k = 0; k < positions.size(); ++k) {
+    gcv_escape alone{};
+    require(gcv_scene_penetration(question.scene.handle, question.moving.handle,
+                                  positions[k].data(), 1, question.query, nullptr, &alone),
+            "a way out");
+    report(messages, positions[k],
+           std::memcmp(&alone, &got[k], sizeof alone) == 0 ? "" : "another way out alone");
     const Exact start = exact(positions[k]);
     const bool overlaps = relation_at(start) == reference::overlapping;
     counts.contacts.overlapping += overlaps ? 1 : 0;

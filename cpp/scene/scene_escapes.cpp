@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-3.0-or-later
+#include "scene_escapes.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "directions.hpp"
+#include "free_place.hpp"
+#include "joined_solids.hpp"
+#include "placed_box.hpp"
+
+namespace gcv {
+
+namespace {
+
+bool holds(const Box& box, const Box& other) {
+  return box.x0 <= other.x0 && box.y0 <= other.y0 && box.x1 >= other.x1 && box.y1 >= other.y1;
+}
+
+Slots joined(const Slots& p, const Slots& q) {
+  Slots all;
+  std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(all));
+  return all;
+}
+
+}  // namespace
+
+// Members near a place, joined, and the search among them.
+struct SceneEscapeSearch::Neighbourhood {
+  Slots slots;  // in order
+  JoinedSolids solids;
+  Operands operands;
+  std::optional<FreePlaceSearch> search;
+
+  Neighbourhood(const FreePositions& positions, Slots members, Tally& tally)
+      : slots(std::move(members)),
+        solids(join_members(positions.scene(), positions.query(), slots)),
+        operands{*solids.boundary, positions.reflected(),
+                 merge_directions(*solids.boundary, positions.reflected(), tally)} {}
+
+  [[nodiscard]] bool holds(const Slots& others) const {
+    return std::includes(slots.begin(), slots.end(), others.begin(), others.end());
+  }
+  // Nothing outside of a focus matters to a search. One without is of use everywhere.
+  void begin(const WantedParts& wanted, std::optional<Box> focus, Tally& tally) {
+    operands.focus = std::move(focus);
+    search.emplace(operands, wanted, tally);
+  }
+};
+
+SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, Tally& tally)
+    : positions_(positions), tally_(tally) {}
+SceneEscapeSearch::SceneEscapeSearch(SceneEscapeSearch&&) noexcept = default;
+SceneEscapeSearch::~SceneEscapeSearch() = default;
+
+// One that holds the solids serves again. Else it grows by a quarter of what is near at most: more
+// costs what it saves.
+SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t number,
+                                                                   const Box& near,
+                                                                   const Point& position,
+                                                                   double distance) {
+  if (number == neighbourhoods_.size()) {
+    neighbourhoods_.emplace_back();
+  }
+  std::unique_ptr<Neighbourhood>& last = neighbourhoods_[number];
+  Slots slots = slots_near(positions_.scene(), positions_.query(), near);
+  if (last && last->holds(slots)) {
+    if (last->operands.focus) {
+      last->begin(positions_.wanted(), std::nullopt, tally_);
+    }
+    return *last;
+  }
+  std::optional<Slots> all = last ? std::optional(joined(last->slots, slots)) : std::nullopt;
+  const bool grows = all && all->size() <= slots.size() + slots.size() / 4;
+  last = std::make_unique<Neighbourhood>(positions_, grows ? std::move(*all) : std::move(slots),
+                                         tally_);
+  std::optional<Box> focus;
+  if (!grows && distance < infinity) {
+    const Point place = last->operands.relative_place(position);
+    focus = widened(box_of(place, place), distance + slack_of(last->operands));
+  }
+  last->begin(positions_.wanted(), focus, tally_);
+  return *last;
+}
+
+// Within a distance, only solids that are no further from the polygon matter. The first distance is
+// about half the size of the polygon. It grows, more and more, until it holds a free position.
+SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
+  const ExactPoint start = ExactPoint::of_sum({position, {0, 0}});
+  if (positions_.relation(position, tally_) != Relation::overlapping) {
+    return {0, {0, {0, 0}, positions_.usable(start, tally_), {}}};
+  }
+  const Box box = moved_outwards(positions_.moving().bounds, position);
+  const std::optional<Solid> container =
+      positions_.query().admits_container() ? positions_.scene().container() : std::nullopt;
+  double distance =
+      ((box.x1 - box.x0) + (box.y1 - box.y0)) / 4 + std::numeric_limits<double>::min();
+  double factor = 2;
+  for (std::size_t number = 0;; ++number) {
+    const Box near = widened_outwards(box, distance);
+    // All that is free lies in the container. Without one, all is free far away.
+    const bool is_all =
+        (container && holds(near, container->boundary.bounds)) || !(distance < infinity);
+    if (is_all) {
+      distance = infinity;
+    }
+    Neighbourhood& found = neighbourhood(number, near, position, distance);
+    const std::optional<FreePlace> place = found.search->nearest(position, distance, {}, task, 1);
+    if (place && (is_all || place->distance.hi <= distance)) {
+      const OwnedContact touched =
+          contact_in(found.operands, *found.search, *place, found.solids.owners, tally_);
+      return {touched.owner,
+              {depth_of(found.operands, *place, position, tally_), way_to(*place, position, tally_),
+               positions_.usable(place->point, tally_), touched.contact}};
+    }
+    if (is_all) {
+      return {0, {infinity, {0, 0}, {position, Relation::overlapping}, {}}};
+    }
+    factor *= factor;
+    distance *= factor;
+  }
+}
+
+}  // namespace gcv
