@@ -46,8 +46,8 @@ struct SceneEscapeSearch::Neighbourhood {
     return std::includes(slots.begin(), slots.end(), others.begin(), others.end());
   }
   // Nothing outside of a focus matters to a search. One without is of use everywhere.
-  void begin(const WantedParts& wanted, std::optional<Box> focus, Tally& tally) {
-    operands.focus = std::move(focus);
+  void begin(const WantedParts& wanted, const std::optional<Box>& focus, Tally& tally) {
+    operands.focus = focus;
     search.emplace(operands, wanted, tally);
   }
 };

@@ -24,7 +24,7 @@ class SceneEscapeSearch {
  public:
   // The positions must live longer.
   SceneEscapeSearch(const FreePositions& positions, Tally& tally);
-  SceneEscapeSearch(SceneEscapeSearch&&) noexcept;
+  SceneEscapeSearch(SceneEscapeSearch&& other) noexcept;
   ~SceneEscapeSearch();
 
   // The shortest way out, of several the lexicographically smallest. Throws Error: cancelled,
