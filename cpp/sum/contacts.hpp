@@ -127,6 +127,12 @@ class BlockedDirections {
     return any(
         [&](const DirectionArc& arc) { return directions_.angle(arc.from, rank) < arc.length; });
   }
+  // Is the direction, or the opposite one, free, and those next to it are blocked?
+  [[nodiscard]] bool leave_a_way_along(Rank rank) const {
+    const Rank half = directions_.half_turn;
+    const auto is_way = [&](Rank r) { return !holds(r) && hold_right_of(r) && hold_left_of(r); };
+    return is_way(rank) || is_way((rank + half) % (2 * half));
+  }
   // The arcs between those that are blocked.
   [[nodiscard]] std::vector<DirectionArc> free_arcs() const {
     const Rank turn = 2 * directions_.half_turn;

@@ -126,7 +126,12 @@ class EdgeCover {
         visitor.segment(places, *segment, *place);
         segment.reset();
       }
-      if (has_points && is_point(surroundings)) {
+      // A segment may meet the window in its end alone.
+      const bool is_at_border =
+          border_ != nullptr && (is_end || places.compare(*place, part.from) == 0);
+      if ((has_points && is_point(surroundings)) ||
+          (has_segments && is_at_border && !surroundings.is_covered &&
+           surroundings.blocked_inside.leave_a_way_along(s.rank))) {
         visitor.point(places, *place);
       }
       if (is_end) {

@@ -215,6 +215,34 @@ Messages check_places(const FreeQuestion& question, const gcv_region* region, co
   return messages;
 }
 
+Messages check_fits(const ExactParts& whole, const gcv_region* region, const Window& window,
+                    FreeCounts& counts) {
+  const auto is_fit = [](const ExactPart& part) { return part.kind >= GCV_PART_SEGMENT; };
+  Messages messages;
+  for (const ExactPart& part : whole) {
+    for (const Exact& p : part.points) {
+      const Point place = invariants::nearest(p);
+      const int in_window = location_in(window, place);
+      if (is_fit(part) && exact(place) == p && in_window >= 0) {
+        std::int8_t located = 0;
+        require(gcv_region_locate(region, place.data(), 1, &located), "a location");
+        report(messages, place, located == GCV_BOUNDARY ? "" : "a fit that is not in the window");
+        ++counts.fits_in_window;
+      }
+    }
+  }
+  for (const ExactPart& part : exact_parts(region)) {
+    for (const Exact& p : part.points) {
+      const bool is_known =
+          !is_fit(part) || std::any_of(whole.begin(), whole.end(), [&](const ExactPart& other) {
+            return is_fit(other) && nearest_on(other.points.front(), other.points.back(), p) == p;
+          });
+      report(messages, invariants::nearest(p), is_known ? "" : "a fit of the window alone");
+    }
+  }
+  return messages;
+}
+
 Messages check_best(const FreeQuestion& question, const ExactParts& whole, const Points& directions,
                     FreeCounts& counts) {
   const PlacedSolids solids = asked_solids(question.scene, question.query);

@@ -36,8 +36,9 @@ struct FreeCounts {
   std::size_t boundary = 0;
   std::size_t outside = 0;
   std::size_t on_border = 0;  // of a window
-  std::size_t ties = 0;       // several positions that are as good
-  std::size_t none = 0;       // nothing is free
+  std::size_t fits_in_window = 0;
+  std::size_t ties = 0;  // several positions that are as good
+  std::size_t none = 0;  // nothing is free
 };
 
 // A scene, and what is asked about it.
@@ -53,6 +54,10 @@ struct FreeQuestion {
 // of it it overlaps; but for the border of the window.
 Messages check_places(const FreeQuestion& question, const gcv_region* region, const Window& window,
                       const Points& places, FreeCounts& counts);
+
+// The fits in a window are those of the whole region, as far as they lie in it.
+Messages check_fits(const ExactParts& whole, const gcv_region* region, const Window& window,
+                    FreeCounts& counts);
 
 // By all vertices of the whole region.
 Messages check_best(const FreeQuestion& question, const ExactParts& whole, const Points& directions,

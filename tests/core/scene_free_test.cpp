@@ -57,7 +57,8 @@ TEST_P(FreePositions, AreWhereNothingOverlaps) {
   for_each_scene(GetParam(), [&](const SceneOfCase& c, Window window) {
     const MovingPolygon moving = c.moving();
     const FreeQuestion question{c.checked, moving, c.asked()};
-    window = window || has_container(c) ? window : window_around(GetParam());
+    const bool is_bounded = has_container(c);
+    window = window || is_bounded ? window : window_around(GetParam());
     return check_places(question, question.region(window).get(), window, c.description.positions,
                         counts);
   });
@@ -68,6 +69,52 @@ TEST_P(FreePositions, AreWhereNothingOverlaps) {
       chosen.cases, static_cast<unsigned long long>(chosen.seed), counts.polygons, counts.holes,
       counts.segments, counts.points, counts.inside, counts.boundary, counts.outside,
       counts.on_border);
+}
+
+// Windows with the end of a fit in the middle of a side, or in a corner.
+std::vector<Window> windows_beside(const Point& p, double unit) {
+  std::vector<Window> windows;
+  for (const double dx : {0.0, -1.0, -2.0}) {
+    for (const double dy : {0.0, -1.0, -2.0}) {
+      const double x = p[0] + dx * unit;
+      const double y = p[1] + dy * unit;
+      windows.push_back({{x, y, x + 2 * unit, y + 2 * unit}});
+    }
+  }
+  return windows;
+}
+
+TEST_P(FreePositions, HaveTheFitsOfTheWholeInAWindow) {
+  FreeCounts counts;
+  for_each_scene(GetParam(), [&](const SceneOfCase& c, const Window& given) {
+    Messages messages;
+    if (!has_container(c)) {
+      return messages;
+    }
+    const MovingPolygon moving = c.moving();
+    const FreeQuestion question{c.checked, moving, c.asked()};
+    const ExactParts whole = exact_parts(question.region({}).get());
+    std::vector<Window> windows;
+    if (given) {
+      windows.push_back(given);
+    }
+    for (const ExactPart& part : whole) {
+      if (part.kind >= GCV_PART_SEGMENT && windows.size() < 30) {
+        const auto beside = windows_beside(invariants::nearest(part.points.back()), GetParam());
+        windows.insert(windows.end(), beside.begin(), beside.end());
+      }
+    }
+    for (const Window& window : windows) {
+      for (const std::string& message :
+           check_fits(whole, question.region(window).get(), window, counts)) {
+        messages.push_back(message + text_of_window(window));
+      }
+    }
+    return messages;
+  });
+  EXPECT_GT(counts.fits_in_window, 0U);
+  std::printf("%d scenes, seed %llu: %zu ends of fits in windows\n", chosen.cases,
+              static_cast<unsigned long long>(chosen.seed), counts.fits_in_window);
 }
 
 TEST_P(FreePositions, AreTheFurthestInADirection) {
