@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <boost/container/small_vector.hpp>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -86,14 +88,26 @@ class OverlapSearch {
   bool overlap_at(Index i, Index j) {
     const SumEdge p = placed_.a.edge(i);
     const SumEdge q = placed_.b.edge(j);
-    const int q_start = of_b_.side_of(i, j, p, placed_.b.vertex(j), tally_);
+    const Index p_next = placed_.a.next(i);
     const Index q_next = placed_.b.next(j);
+    // Edges with one end in common have another point in common only if they lie on one line.
+    switch (common_end(i, j)) {
+      case CommonEnd::starts:
+        add_touch(i);
+        return overlap_in_vertices(i, j);
+      case CommonEnd::end_of_a:
+        return of_a_.side_of(j, i, q, placed_.a.vertex(i), tally_) == 0 && overlaps_on_line(i, j);
+      case CommonEnd::end_of_b:
+        return of_b_.side_of(i, j, p, placed_.b.vertex(j), tally_) == 0 && overlaps_on_line(i, j);
+      case CommonEnd::none:
+        break;
+    }
+    const int q_start = of_b_.side_of(i, j, p, placed_.b.vertex(j), tally_);
     const int q_end = of_b_.side_of(i, q_next, p, placed_.b.vertex(q_next), tally_);
     if (!may_meet(q_start, q_end)) {
       return false;
     }
     const int p_start = of_a_.side_of(j, i, q, placed_.a.vertex(i), tally_);
-    const Index p_next = placed_.a.next(i);
     const int p_end = of_a_.side_of(j, p_next, q, placed_.a.vertex(p_next), tally_);
     if (!may_meet(p_start, p_end)) {
       return false;
@@ -110,6 +124,29 @@ class OverlapSearch {
     }
     return q_start == 0 ? overlap_on_edge(placed_.a, i, placed_.b, j)
                         : overlap_on_edge(placed_.b, j, placed_.a, i);
+  }
+
+  // Which ends of two edges are one point?
+  enum class CommonEnd : std::uint8_t { none, starts, end_of_a, end_of_b };
+  CommonEnd common_end(Index i, Index j) {
+    const RelativePair::Ends p = relative_.edge_of_a(i);
+    const RelativePair::Ends q = relative_.edge_of_b(j);
+    const Index p_next = placed_.a.next(i);
+    const Index q_next = placed_.b.next(j);
+    const auto are_one = [&](Index vertex, Index other, double x, double y) {
+      return std::max(std::abs(x), std::abs(y)) <= relative_.slack() &&
+             are_equal(placed_.a.vertex(vertex), placed_.b.vertex(other), tally_);
+    };
+    if (are_one(i, j, p.from_x - q.from_x, p.from_y - q.from_y)) {
+      return CommonEnd::starts;
+    }
+    if (are_one(p_next, j, p.to_x - q.from_x, p.to_y - q.from_y)) {
+      return CommonEnd::end_of_a;
+    }
+    return are_one(i, q_next, p.from_x - q.to_x, p.from_y - q.to_y) ||
+                   are_one(p_next, q_next, p.to_x - q.to_x, p.to_y - q.to_y)
+               ? CommonEnd::end_of_b
+               : CommonEnd::none;
   }
 
   // The sides of a line on which an edge starts and ends. May it meet the line, but for its end?
