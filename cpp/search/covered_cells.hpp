@@ -25,6 +25,8 @@ class CoveredCells {
   // Adds the cells that lie in a witness.
   void add(const Witness& witness);
 
+  // Are there none, and never will be?
+  [[nodiscard]] bool empty() const { return bits_.empty(); }
   // Do covered cells hold the box?
   [[nodiscard]] bool hold(const Box& box) const;
 

@@ -178,6 +178,18 @@ void WitnessSearch::begin(const RelativeLine& line, bool with_sums) {
   }
 }
 
+bool WitnessSearch::was_added(const Nodes& nodes) {
+  if (added_.empty()) {
+    constexpr ChordTree::Node none = std::numeric_limits<ChordTree::Node>::max();
+    added_.resize(kept_additions, {none, none});
+  }
+  const std::uint32_t hash = (nodes.a * 0x9e3779b1U) ^ (nodes.b * 0x85ebca6bU);
+  Nodes& kept = added_[(hash >> 16) % kept_additions];
+  const bool is_kept = kept.a == nodes.a && kept.b == nodes.b;
+  kept = nodes;
+  return is_kept;
+}
+
 double WitnessSearch::met_reach(double t, double least) {
   double end = t;
   while (!covers_.empty() && covers_.front().covered.from <= t) {
@@ -188,7 +200,9 @@ double WitnessSearch::met_reach(double t, double least) {
       end = std::min(cover.covered.to, 1.0);
       last_ = witness(cover.nodes);
       last_nodes_ = cover.nodes;
-      cells_.add(*last_);
+      if (!cells_.empty() && !was_added(last_nodes_)) {
+        cells_.add(*last_);
+      }
     }
   }
   return end;

@@ -173,7 +173,13 @@ class WitnessSearch {
 
   std::uint64_t visits_ = 0;
 
+  // Was the witness of the nodes added to the cells a short time ago? Lines side by side end in the
+  // same ones: where edges are long, half of the time went into that.
+  bool was_added(const Nodes& nodes);
+  static constexpr std::uint32_t kept_additions = 1U << 12;
+
   CoveredCells cells_;
+  std::vector<Nodes> added_;  // by their hashes
   ConvexSums sums_;
   bool uses_sums_ = false;
   std::optional<Witness> last_;  // that was found
