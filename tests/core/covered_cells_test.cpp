@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <random>
 #include <utility>
+#include <vector>
 
 #include "boundary.hpp"
 #include "chord_tree.hpp"
@@ -216,6 +217,32 @@ TEST(CoveredCells, LieInTheOpenSumOfAComplement) {
   EXPECT_FALSE(holds(90, 90));
   EXPECT_FALSE(holds(21, 99));
   EXPECT_FALSE(holds(39, 60));
+}
+
+// Cells are so small that some lie inside each brick of a wall.
+TEST(CoveredCells, LieInTheOpenSumOfBricks) {
+  constexpr int side = 40;
+  const Boundary brick = make_ring({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, "brick");
+  std::vector<PlacedBoundary> bricks;
+  for (int k = 0; k < side * side; ++k) {
+    bricks.push_back({brick, {2.0 * (k % side), 2.0 * (k / side)}});
+  }
+  const Boundary wall = joined(bricks);
+  const Boundary b = make_ring({{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}, "B");
+  Tally tally;
+  for (const bool is_wall_first : {true, false}) {
+    const Boundary& first = is_wall_first ? wall : b;
+    const Boundary& second = is_wall_first ? b : wall;
+    const Operands operands{first, second, merge_directions(first, second, tally)};
+    const CoveredCells cells(operands, slack_of(operands));
+    for (int k = 0; k < side; ++k) {
+      const auto holds = [&](double x, double y) { return cells.hold({x, y, x, y}); };
+      EXPECT_TRUE(holds(2 * k + 0.75, 0.75)) << k;
+      EXPECT_TRUE(holds(0.75, 2 * k + 0.75)) << k;
+      EXPECT_FALSE(holds(2 * k + 1.75, 0.75)) << k;
+      EXPECT_FALSE(holds(0.75, 2 * k + 1.55)) << k;
+    }
+  }
 }
 
 // Where a cell is as small as a rounding error, none is covered.

@@ -268,6 +268,37 @@ class Scene {
   gcv_polygon* moving_ = nullptr;
 };
 
+// Ways out of a plate with many narrow bars between its holes.
+void ways_out_of_plate() {
+  constexpr int side = 12;
+  Polygon vertices{{0, 0}, {10 * side, 0}, {10 * side, 2 * side}, {0, 2 * side}};
+  std::vector<std::size_t> sizes{vertices.size()};
+  Polygon positions;
+  for (int k = 0; k < side * side; ++k) {
+    const double x = 10 * (k % side) + 1;
+    const double y = 2 * (k / side) + 0.5;  // NOLINT(bugprone-integer-division): rows
+    vertices.insert(vertices.end(), {{x, y}, {x, y + 1}, {x + 8, y + 1}, {x + 8, y}});
+    sizes.push_back(4);
+    positions.push_back({x + (k % 3), y - 1});
+  }
+  gcv_polygon* plate = nullptr;
+  gcv_polygon* moving = nullptr;
+  gcv_scene* scene = nullptr;
+  std::uint64_t id = 0;
+  require(gcv_polygon_create_rings(vertices.front().data(), sizes.data(), sizes.size(), 0, &plate));
+  const Polygon wedge{{0, 0}, {1, 0}, {0.5, 0.75}};
+  require(gcv_polygon_create(wedge.front().data(), wedge.size(), 0, &moving));
+  require(gcv_scene_create(&scene));
+  const gcv_polygon* const added = plate;
+  const double origin[2] = {0, 0};
+  require(gcv_scene_add(scene, &added, origin, 1, &id));
+  std::vector<gcv_escape> escapes(positions.size());
+  require(gcv_scene_penetration(scene, moving, positions.front().data(), positions.size(), nullptr,
+                                nullptr, escapes.data()));
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(moving);
+  gcv_polygon_destroy(plate);
+}
 void free_region_of_scene() {
   Random random(5);
   Scene(random, 800, 2200).find_free_region();
@@ -278,7 +309,9 @@ void best_in_scene() {
 }
 
 const std::map<std::string, std::function<void()>> scene_cases{
-    {"scene_best", best_in_scene}, {"scene_free_region", free_region_of_scene}};
+    {"scene_best", best_in_scene},
+    {"scene_free_region", free_region_of_scene},
+    {"scene_penetration", ways_out_of_plate}};
 
 }  // namespace
 }  // namespace gcv::hard
