@@ -39,4 +39,31 @@ Witness::Witness(const Chord& p, const Chord& q, double slack)
             corner.y + high(u.y, v.y)};
 }
 
+// What it holds is convex. So it holds the line between two places that it holds.
+double Witness::reach(const RelativeLine& line, double t) const {
+  const auto holds_at = [&](double parameter) {
+    const Point p = line.at(parameter);
+    return holds(box_of(p, p));
+  };
+  if (!holds_at(t)) {
+    return t;
+  }
+  double end = infinity;
+  for (const Strip& strip : strips) {
+    const double here = strip.p * (line.origin.x - corner.x) - strip.q * (line.origin.y - corner.y);
+    const double step = strip.p * line.dx - strip.q * line.dy;
+    if (step != 0) {
+      end = std::min(end, ((step > 0 ? strip.most : strip.least) - here) / step);
+    }
+  }
+  // Roundings may put the end outside.
+  for (const double share : {1 - 0x1p-44, 1 - 0x1p-20}) {
+    const double at = std::min(t + share * (end - t), 1.0);
+    if (at > t && holds_at(at)) {
+      return at;
+    }
+  }
+  return t;
+}
+
 }  // namespace gcv

@@ -80,6 +80,9 @@ struct Witness {
     return is_in(strips[0]) && is_in(strips[1]);
   }
 
+  // How far it holds the line from t on: a parameter up to 1; t if it does not hold t.
+  [[nodiscard]] double reach(const RelativeLine& line, double t) const;
+
   Point corner;
   Strip strips[2]{};  // none of it is empty if least < most for both
   Box bounds{};       // of the whole sum of the chords

@@ -190,6 +190,25 @@ bool WitnessSearch::was_added(const Nodes& nodes) {
   return is_kept;
 }
 
+void WitnessSearch::keep(const Witness& witness) {
+  if (recent_.size() < most_recent) {
+    recent_.push_back(witness);
+  } else {
+    recent_[kept_ % most_recent] = witness;
+  }
+  ++kept_;
+}
+
+double WitnessSearch::recent_reach(double t, double least) const {
+  for (std::size_t k = 1; k <= recent_.size(); ++k) {
+    const double end = recent_[(kept_ - k) % most_recent].reach(line_, t);
+    if (end >= least) {
+      return end;
+    }
+  }
+  return t;
+}
+
 double WitnessSearch::met_reach(double t, double least) {
   double end = t;
   while (!covers_.empty() && covers_.front().covered.from <= t) {
@@ -200,6 +219,7 @@ double WitnessSearch::met_reach(double t, double least) {
       end = std::min(cover.covered.to, 1.0);
       last_ = witness(cover.nodes);
       last_nodes_ = cover.nodes;
+      keep(*last_);
       if (!cells_.empty() && !was_added(last_nodes_)) {
         cells_.add(*last_);
       }
@@ -271,6 +291,7 @@ void WitnessSearch::put_longest_last() {
 }
 
 double WitnessSearch::reach(double t, double until) {
+  double tried = -1;  // where recent witnesses were
   while (t < until) {
     const double least = std::min(1.0, t + least_progress);
     double end = cells_.reach(line_, t);
@@ -279,6 +300,10 @@ double WitnessSearch::reach(double t, double until) {
     }
     if (end < least) {
       end = met_reach(t, least);
+    }
+    if (end < least && t > tried) {
+      end = recent_reach(t, least);
+      tried = t;
     }
     if (end > t) {
       t = end;
