@@ -69,7 +69,7 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
   std::unique_ptr<Neighbourhood>& last = neighbourhoods_[number];
   Slots slots = slots_near(positions_.scene(), positions_.query(), near);
   if (last && last->holds(slots)) {
-    if (last->operands.focus) {
+    if (!last->search || last->operands.focus) {  // it has none where memory has run out
       last->begin(positions_.wanted(), std::nullopt, tally_);
     }
     return *last;

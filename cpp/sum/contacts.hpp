@@ -127,10 +127,13 @@ class BlockedDirections {
     return any(
         [&](const DirectionArc& arc) { return directions_.angle(arc.from, rank) < arc.length; });
   }
-  // Is the direction, or the opposite one, free, and those next to it are blocked?
-  [[nodiscard]] bool leave_a_way_along(Rank rank) const {
+  // Is the direction, or the opposite one, free, while those next to it are blocked, and do `more`
+  // of them hold it?
+  [[nodiscard]] bool leave_a_way_along(Rank rank, const BlockedDirections& more) const {
     const Rank half = directions_.half_turn;
-    const auto is_way = [&](Rank r) { return !holds(r) && hold_right_of(r) && hold_left_of(r); };
+    const auto is_way = [&](Rank r) {
+      return more.holds(r) && !holds(r) && hold_right_of(r) && hold_left_of(r);
+    };
     return is_way(rank) || is_way((rank + half) % (2 * half));
   }
   // The arcs between those that are blocked.

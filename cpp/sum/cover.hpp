@@ -126,12 +126,10 @@ class EdgeCover {
         visitor.segment(places, *segment, *place);
         segment.reset();
       }
-      // A segment may meet the window in its end alone.
-      const bool is_at_border =
-          border_ != nullptr && (is_end || places.compare(*place, part.from) == 0);
+      // A segment may meet the window in its end alone: the border is in its way.
       if ((has_points && is_point(surroundings)) ||
-          (has_segments && is_at_border && !surroundings.is_covered &&
-           surroundings.blocked_inside.leave_a_way_along(s.rank))) {
+          (has_segments && border_ != nullptr && !surroundings.is_covered &&
+           surroundings.blocked_inside.leave_a_way_along(s.rank, surroundings.blocked))) {
         visitor.point(places, *place);
       }
       if (is_end) {
