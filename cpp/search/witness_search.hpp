@@ -187,7 +187,7 @@ class WitnessSearch {
   void keep(const Witness& witness);
   // How far they reach from t; t if none reaches `least`.
   [[nodiscard]] double recent_reach(double t, double least) const;
-  static constexpr std::size_t most_recent = 8;
+  static constexpr std::size_t most_recent = 4;
   std::vector<Witness> recent_;
   std::size_t kept_ = 0;  // of all, up to now
 
