@@ -25,6 +25,12 @@ inline std::uint64_t translations_a_report(std::uint64_t size_a, std::uint64_t s
   return std::clamp<std::uint64_t>(most_vertices / (size_a + size_b), 1, Task::portion);
 }
 
+// For answers whose making takes long: blocks that each serve many of them.
+inline std::size_t long_block(std::size_t count, const gcv_options& options) {
+  const unsigned threads = threads_of(options);
+  return threads == 1 ? count : count / (std::size_t{4} * threads) + 1;
+}
+
 // Writes to out[k], for each k below `count`, once all are known, what answer(k, tally, task)
 // gives. begin(tally) makes the answer for some of them, a block, which it serves one after the
 // other. Tells the task after each `portion` of them.

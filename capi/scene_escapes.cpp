@@ -90,9 +90,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     const gcv::capi::Vectors all(positions, count, "positions");
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
-    // What is near some positions is joined once.
-    const unsigned threads = gcv::capi::threads_of(known);
-    const std::size_t block = threads == 1 ? count : count / (std::size_t{8} * threads) + 1;
+    const std::size_t block = gcv::capi::long_block(count, known);
     gcv::capi::give_all(count, Task::portion, 1, block, known, out, [&](Tally& tally, Task& task) {
       return [&, search = SceneEscapeSearch(ways, tally)](std::size_t k) mutable {
         const auto [id, escape] = search.find(all[k], task);

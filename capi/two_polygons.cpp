@@ -152,12 +152,10 @@ gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const dou
     Tally tally_of_all;
     const gcv::WaysOut ways(*a->polygon, *b->reflected(), wanted_parts(asked->options), count, task,
                             tally_of_all);
-    // A search takes long to begin: so each serves many translations.
-    const unsigned threads = gcv::capi::threads_of(asked->options);
-    const std::size_t block = threads == 1 ? count : count / (std::size_t{4} * threads) + 1;
     give_all(count,
              translations_a_report(asked->pair.a.boundary.size(), asked->pair.b.boundary.size()), 1,
-             block, asked->options, out, [&](Tally& tally, Task& progress) {
+             gcv::capi::long_block(count, asked->options), asked->options, out,
+             [&](Tally& tally, Task& progress) {
                return [&, search = gcv::EscapeSearch(ways, tally)](std::size_t k) mutable {
                  const auto [depth, way, place, contact] =
                      search.find(PlacedPair(asked->pair, asked->translations[k]), progress);

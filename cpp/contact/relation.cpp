@@ -126,7 +126,8 @@ class OverlapSearch {
                         : overlap_on_edge(placed_.b, j, placed_.a, i);
   }
 
-  // Which ends of two edges are one point?
+  // Which ends of two edges are one point? The end of A's and the start of B's, or the end of B's
+  // and any of A's, but for both starts.
   enum class CommonEnd : std::uint8_t { none, starts, end_of_a, end_of_b };
   CommonEnd common_end(Index i, Index j) {
     const RelativePair::Ends p = relative_.edge_of_a(i);

@@ -217,11 +217,10 @@ double WitnessSearch::met_reach(double t, double least) {
     covers_.pop_back();
     if (cover.covered.to >= least && cover.covered.to > end) {
       end = std::min(cover.covered.to, 1.0);
-      last_ = witness(cover.nodes);
       last_nodes_ = cover.nodes;
-      keep(*last_);
+      keep(witness(cover.nodes));
       if (!cells_.empty() && !was_added(last_nodes_)) {
-        cells_.add(*last_);
+        cells_.add(last());
       }
     }
   }

@@ -65,7 +65,7 @@ class WitnessSearch {
   // Do covered cells hold a box in relative coordinates, or does the last witness, or one of the
   // sums of convex pieces?
   [[nodiscard]] bool covers(const Box& box) {
-    return (last_ && last_->holds(box)) || cells_.hold(box) || sums_.hold(box);
+    return (!recent_.empty() && last().holds(box)) || cells_.hold(box) || sums_.hold(box);
   }
 
   [[nodiscard]] double slack() const { return slack_; }
@@ -190,9 +190,8 @@ class WitnessSearch {
   static constexpr std::size_t most_recent = 4;
   std::vector<Witness> recent_;
   std::size_t kept_ = 0;  // of all, up to now
-
-  std::optional<Witness> last_;  // that was found
-  Nodes last_nodes_{};           // of that
+  [[nodiscard]] const Witness& last() const { return recent_[(kept_ - 1) % most_recent]; }
+  Nodes last_nodes_{};  // of that
 };
 
 template <class Visit, class Pass>

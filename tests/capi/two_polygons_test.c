@@ -41,6 +41,20 @@ static void relations_and_distances(void) {
   gcv_polygon_destroy(square);
 }
 
+/* Boundaries that meet in vertices and along edges with a common end alone. Inside of such an edge
+ * a reflex vertex of the other polygon begins to overlap. */
+static void overlap_along_edges_with_a_common_end(void) {
+  static const double here[] = {0, 0};
+  int8_t out[2] = {77, 77};
+  gcv_polygon *a = POLYGON(8, 6, 5, 3, 3, 0, 0, 0, 0, -5, 12, -5, 12, 6);
+  gcv_polygon *b = POLYGON(0, 0, 6, 0, 6, 4, 8, 6, 8, 12, 0, 12);
+  CHECK_OK(gcv_relation(a, b, here, 1, NULL, &out[0]));
+  CHECK_OK(gcv_relation(b, a, here, 1, NULL, &out[1]));
+  CHECK(out[0] == GCV_OVERLAPPING && out[1] == GCV_OVERLAPPING);
+  gcv_polygon_destroy(a);
+  gcv_polygon_destroy(b);
+}
+
 static void casts(void) {
   static const double starts[] = {5, 0, 5, 0, 5, 2, 5, 0, 0, 0};
   static const double motions[] = {-4, 0, -3, 0, -9, 0, 0, 0, 1, 0};
@@ -231,6 +245,7 @@ static void refusals(void) {
 
 int main(void) {
   relations_and_distances();
+  overlap_along_edges_with_a_common_end();
   casts();
   escapes();
   escapes_with_holes_left_out();

@@ -57,8 +57,7 @@ TEST_P(FreePositions, AreWhereNothingOverlaps) {
   for_each_scene(GetParam(), [&](const SceneOfCase& c, Window window) {
     const MovingPolygon moving = c.moving();
     const FreeQuestion question{c.checked, moving, c.asked()};
-    const bool is_bounded = has_container(c);
-    window = window || is_bounded ? window : window_around(GetParam());
+    window = window || has_container(c) ? window : window_around(GetParam());
     return check_places(question, question.region(window).get(), window, c.description.positions,
                         counts);
   });
