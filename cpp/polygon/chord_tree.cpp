@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "chain_tree.hpp"
+#include "repetition.hpp"
 #include "task.hpp"
 #include "vector.hpp"
 
@@ -15,9 +17,11 @@ namespace {
 
 class Builder {
  public:
-  Builder(const EdgeChain& chain, const RingLayout& layout) : chain_(chain), layout_(layout) {}
+  Builder(const EdgeChain& chain, const RingLayout& layout)
+      : chain_(chain), layout_(layout), repetition_(chain, layout) {}
 
   ChordTree build() {
+    tree_.chains_repeat = repetition_.exists();
     tree_.blocks.reserve(chain_.size() / 2 + 2);
     add_block();
     put(0, 0, {0, chain_.size()});
@@ -73,6 +77,9 @@ class Builder {
     }
     if (std::isnan(furthest.distance) || furthest.point == 0) {
       furthest.point = range.first + n / 2;
+    }
+    if (repetition_.exists()) {
+      furthest.point = repetition_.cut(range.first, range.last);
     }
     return furthest;
   }
@@ -148,6 +155,7 @@ class Builder {
 
   const EdgeChain& chain_;
   const RingLayout& layout_;
+  const Repetition repetition_;
   ChordTree tree_;
   Pace pace_;
 };

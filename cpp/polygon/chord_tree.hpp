@@ -3,7 +3,8 @@
 // Bounding volume hierarchy over the edges of a boundary chain, with chords: from the first vertex
 // of the chain below a node to the last one. A chain is split where it is furthest from its chord,
 // so that chains come close to their chords. The sum of two chains is then close to the
-// parallelogram of the chords. That tells what it covers (search/witness.hpp).
+// parallelogram of the chords. That tells what it covers (search/witness.hpp). Where chains repeat,
+// as the teeth of combs, they are split at round numbers, so that equal ones have equal nodes.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,7 @@ struct ChordTree {
   };
 
   std::vector<Block> blocks;  // each before those of its children
+  bool chains_repeat = false;
 
   [[nodiscard]] const Block& block_of(Node node) const { return blocks[node / width]; }
   static std::uint32_t lane_of(Node node) { return node % width; }
@@ -54,8 +56,8 @@ struct ChordTree {
   static Node node(std::uint32_t block, std::uint32_t lane) { return width * block + lane; }
 };
 
-// Builds the tree over those edges. O(n log n) for chains that are not split unevenly again and
-// again: no part is less than a quarter of its chain.
+// Builds the tree over those edges. O(n log n): no part is less than a quarter of its chain, or
+// chains are split at round numbers.
 ChordTree build_chord_tree(const EdgeChain& chain, const RingLayout& layout);
 
 }  // namespace gcv

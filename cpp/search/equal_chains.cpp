@@ -69,8 +69,10 @@ class Numbering {
     if (!a || !b || different + edge_numbers_.size() > at_most(a->size() + b->size())) {
       return {};
     }
-    return {number_nodes(operands_.a.cover_index().chords, *a),
-            number_nodes(operands_.b.cover_index().chords, *b)};
+    const ChordTree& tree_a = operands_.a.cover_index().chords;
+    const ChordTree& tree_b = operands_.b.cover_index().chords;
+    return {number_nodes(tree_a, *a), number_nodes(tree_b, *b),
+            tree_a.chains_repeat && tree_b.chains_repeat};
   }
 
  private:

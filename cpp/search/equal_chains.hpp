@@ -47,8 +47,9 @@ struct EqualNodes {
     Index first;  // of the edges below it
   };
 
-  std::vector<Node> a;  // empty where few edges are equal
-  std::vector<Node> b;  // with other numbers than those of A
+  std::vector<Node> a;   // empty where few edges are equal
+  std::vector<Node> b;   // with other numbers than those of A
+  bool prevail = false;  // chains of both repeat, and are split alike
 
   [[nodiscard]] bool exist() const { return !a.empty(); }
 };

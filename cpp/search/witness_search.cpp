@@ -50,26 +50,25 @@ WitnessSearch::WitnessSearch(const Operands& operands)
       a_(operands.a.cover_index().chords),
       b_(operands.b.cover_index().chords),
       slack_(slack_in_range(operands)),
-      met_(met_pairs(operands)),
+      equal_(equal_nodes(operands)),
+      met_(equal_.exist() ? std::optional(VisitedPairs{}) : std::nullopt),
       cells_(operands, slack_),
       sums_(operands, slack_) {}
 
 // Where rings of a polygon touch, the solid has more sides in a point than those of two edges.
-std::optional<WitnessSearch::MetPairs> WitnessSearch::met_pairs(const Operands& operands) {
-  if (!operands.a.cover_index().touches.empty() || !operands.b.cover_index().touches.empty()) {
-    return std::nullopt;
-  }
-  EqualNodes nodes = find_equal_nodes(operands);
-  return nodes.exist() ? std::optional(MetPairs{std::move(nodes), {}}) : std::nullopt;
+EqualNodes WitnessSearch::equal_nodes(const Operands& operands) {
+  const bool touch =
+      !operands.a.cover_index().touches.empty() || !operands.b.cover_index().touches.empty();
+  return touch ? EqualNodes{} : find_equal_nodes(operands);
 }
 
-bool WitnessSearch::meet_again(const Nodes& nodes) {
-  if (!met_ || !leaves_out_ || !met_->visited.is_of_use(limits::nodes_a_repeated_one)) {
+bool WitnessSearch::meet_again(const Nodes& nodes, VisitedPairs& visited) const {
+  if (!equal_.prevail && !visited.is_of_use(limits::nodes_a_repeated_one)) {
     return false;
   }
-  const EqualNodes::Node& a = met_->nodes.a[nodes.a];
-  const EqualNodes::Node& b = met_->nodes.b[nodes.b];
-  return met_->visited.meet(a.number, b.number, operands_.point({a.first, b.first}));
+  const EqualNodes::Node& a = equal_.a[nodes.a];
+  const EqualNodes::Node& b = equal_.b[nodes.b];
+  return visited.meet(a.number, b.number, operands_.point({a.first, b.first}));
 }
 
 WitnessSearch::Family WitnessSearch::family(const Nodes& nodes) const {
@@ -174,7 +173,7 @@ void WitnessSearch::begin(const RelativeLine& line, bool with_sums) {
   next_near_ = 0;
   leaves_out_ = true;
   if (met_) {
-    met_->visited.clear();
+    met_->clear();
   }
 }
 
@@ -246,7 +245,7 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
       return;
     }
     const Nodes child = children.nodes(lane);
-    if (meet_again(child)) {
+    if (met_ && leaves_out_ && meet_again(child, *met_)) {
       return;
     }
     const Range covered{all.covered_from[lane], all.covered_to[lane]};

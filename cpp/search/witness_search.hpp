@@ -57,7 +57,8 @@ class WitnessSearch {
 
   // Calls visit(edge) for the superset edges in focus, before merging, whose direction is in the
   // half-plane that begins with a rank: from that on counter-clockwise, without the opposite rank.
-  // Passes over those that lie in witnesses that were found until then. Calls pass(pairs) after
+  // Passes over those that lie in witnesses that were found until then, and over some, but not
+  // the first, of those that coincide and have the same solid sides. Calls pass(pairs) after
   // each step with the number of pairs of edges that it is done with; in all, that is all of them.
   template <class Visit, class Pass>
   void for_each_uncovered_edge(Rank first, Visit visit, Pass pass);
@@ -160,15 +161,11 @@ class WitnessSearch {
   Range approached_{};         // a part of the line
   std::size_t next_near_ = 0;  // of the near pairs
 
-  // Pairs of nodes that were met on the line, where many are equal.
-  struct MetPairs {
-    EqualNodes nodes;
-    VisitedPairs visited;
-  };
-  [[nodiscard]] static std::optional<MetPairs> met_pairs(const Operands& operands);
-  // Has an equal pair been met?
-  [[nodiscard]] bool meet_again(const Nodes& nodes);
-  std::optional<MetPairs> met_;
+  [[nodiscard]] static EqualNodes equal_nodes(const Operands& operands);
+  // Has an equal pair been met? From now on it has.
+  [[nodiscard]] bool meet_again(const Nodes& nodes, VisitedPairs& visited) const;
+  EqualNodes equal_;
+  std::optional<VisitedPairs> met_;  // on the line, where many are equal
   bool leaves_out_ = true;
 
   std::uint64_t visits_ = 0;
@@ -206,6 +203,10 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
       visit(edge);
     }
   };
+  std::optional<VisitedPairs> visited;
+  if (equal_.prevail) {
+    visited.emplace();
+  }
   std::vector<Nodes> stack{roots};
   while (!stack.empty()) {
     const Nodes nodes = stack.back();
@@ -213,7 +214,8 @@ void WitnessSearch::for_each_uncovered_edge(Rank first, Visit visit, Pass pass) 
     const EdgesBelow& a = below_a[nodes.a];
     const EdgesBelow& b = below_b[nodes.b];
     const Box box = sum_of(a_.box(nodes.a), b_.box(nodes.b));
-    if (have_superset_edges(a, b, wanted) && !operands_.is_out_of_focus(box) && !covers(box)) {
+    if (have_superset_edges(a, b, wanted) && !operands_.is_out_of_focus(box) && !covers(box) &&
+        !(visited && meet_again(nodes, *visited))) {
       if (!are_edges(nodes)) {
         const Family children = family(nodes);
         for (std::uint32_t lane = ChordTree::width; lane-- > 0;) {

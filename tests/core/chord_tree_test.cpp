@@ -8,6 +8,9 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "boundary.hpp"
@@ -132,6 +135,86 @@ TEST(ChordTree, HoldsAllRings) {
     }
   }
   EXPECT_GT(rings, 30U);
+}
+
+// How far the edges below a node lead, and the edge before them.
+using Ways = std::vector<std::pair<double, double>>;
+
+// Calls visit(ways, sizes of the children) for all nodes of more than one edge.
+template <class Visit>
+std::pair<Index, Index> for_each_chain(const Boundary& boundary, ChordTree::Node node,
+                                       const Visit& visit) {
+  const ChordTree& tree = boundary.cover_index().chords;
+  const std::uint32_t below = tree.below(node);
+  if (tree.is_edge(node)) {
+    return {below, 1};
+  }
+  std::vector<Index> sizes;
+  Index first = 0;
+  Index size = 0;
+  for (std::uint32_t lane = 0; (tree.blocks[below].lanes >> lane) != 0; ++lane) {
+    const auto [begin, count] = for_each_chain(boundary, ChordTree::node(below, lane), visit);
+    first = lane == 0 ? begin : first;
+    sizes.push_back(count);
+    size += count;
+  }
+  Ways ways;
+  for (Index i = first; i < first + size; ++i) {
+    const Point& p = boundary.vertices[i];
+    const Point& q = boundary.vertices[boundary.next(i)];
+    ways.emplace_back(q.x - p.x, q.y - p.y);
+  }
+  visit(ways, sizes);
+  return {first, size};
+}
+
+// A comb of so many teeth, with as many holes that are combs.
+Polygon comb(int teeth, int holes) {
+  const auto add_teeth = [&](PointVector& ring, double y) {
+    for (int k = teeth - 1; k >= 0; --k) {
+      const double x = 2 * k;
+      ring.insert(ring.end(), {{x + 1, y + 5}, {x, y + 5}});
+      if (k > 0) {
+        ring.insert(ring.end(), {{x, y}, {x - 1, y}});
+      }
+    }
+  };
+  test::Rings rings(1);
+  rings[0] = {{-1, -10.0 * holes - 2}, {2.0 * teeth, -10.0 * holes - 2}};
+  add_teeth(rings[0], 0);
+  for (int k = 1; k <= holes; ++k) {
+    PointVector ring{{0, -10.0 * k}, {2.0 * teeth - 1, -10.0 * k}};
+    add_teeth(ring, -10.0 * k + 2);
+    rings.emplace_back(ring.rbegin(), ring.rend());
+  }
+  return make_polygon(rings, "comb");
+}
+
+TEST(ChordTree, SplitsEqualChainsAlike) {
+  for (const auto& [teeth, holes] : {std::pair{100, 0}, {33, 0}, {250, 0}, {40, 3}}) {
+    const Polygon polygon = comb(teeth, holes);
+    const Boundary& boundary = polygon.boundary();
+    Checker(boundary).check();
+    ASSERT_TRUE(boundary.cover_index().chords.chains_repeat);
+    std::map<Ways, std::set<std::vector<Index>>> cuts;
+    std::size_t nodes = 0;
+    for_each_chain(boundary, ChordTree::root,
+                   [&](const Ways& ways, const std::vector<Index>& sizes) {
+                     cuts[ways].insert(sizes);
+                     ++nodes;
+                   });
+    std::size_t kinds = 0;
+    for (const auto& [ways, sizes] : cuts) {
+      kinds += sizes.size();
+    }
+    EXPECT_LT(kinds, 16 + 20U * holes) << nodes;
+    EXPECT_GT(nodes, 3U * kinds / 2) << kinds;
+  }
+  test::Random random(303);
+  for (int k = 0; k < 20; ++k) {
+    const Boundary boundary = make_ring(test::random_histogram(random, 60 + k, 99), "histogram");
+    EXPECT_FALSE(boundary.cover_index().chords.chains_repeat);
+  }
 }
 
 // A half circle is split in its middle, though most of its vertices are near one end.

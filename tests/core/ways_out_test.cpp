@@ -118,13 +118,14 @@ TEST(WaysOut, AreTheSameForHugeAndTinyPolygons) {
   }
 }
 
-// A comb with itself: all gaps fit all teeth, and the region takes long.
+// A comb with itself, whose gaps fit no tooth, each by another bit: the region takes long.
 test::PolygonRings comb(int teeth) {
-  PointVector ring{{0, 0}, {teeth - 0.5, 0}};
+  const auto right = [](int k) { return k + 0.5 + k % 7 * k * 0x1p-12; };  // of a tooth
+  PointVector ring{{0, 0}, {right(teeth - 1), 0}};
   for (int k = teeth - 1; k >= 0; --k) {
-    ring.insert(ring.end(), {{k + 0.5, 9}, {1.0 * k, 9}});
+    ring.insert(ring.end(), {{right(k), 9}, {1.0 * k, 9}});
     if (k > 0) {
-      ring.insert(ring.end(), {{1.0 * k, 1}, {k - 0.5, 1}});
+      ring.insert(ring.end(), {{1.0 * k, 1}, {right(k - 1), 1}});
     }
   }
   return {ring};

@@ -68,6 +68,20 @@ struct Example {
     const auto [from, to] = operands.source(e);
     return {operands.relative_start(e), to.x - from.x, to.y - from.y};
   }
+  // What pairs of edges have in common that are the same but for their names.
+  [[nodiscard]] auto sum_of_pair(Index i, Index j) const {
+    const Point p = operands.relative(i, j);
+    const Point q = operands.relative(a.next(i), b.next(j));
+    const Directions& directions = operands.directions;
+    return std::tuple{p.x,
+                      p.y,
+                      q.x,
+                      q.y,
+                      directions.rank_a[i],
+                      directions.rank_b[j],
+                      directions.rank_a[a.previous(i)],
+                      directions.rank_b[b.previous(j)]};
+  }
   [[nodiscard]] std::vector<PairEdge> contributing_edges() const {
     std::vector<PairEdge> edges;
     for (Index i = 0; i < a.size(); ++i) {
@@ -165,6 +179,18 @@ TEST(WitnessSearch, MissesNoPairOfEdges) {
   EXPECT_GT(found, 1000U);
 }
 
+Boundary even_comb(int teeth) {
+  PointVector ring{{0, -1}, {2.0 * teeth - 1, -1}};
+  for (int k = teeth - 1; k >= 0; --k) {
+    const double x = 2 * k;
+    ring.insert(ring.end(), {{x + 1, 5}, {x, 5}});
+    if (k > 0) {
+      ring.insert(ring.end(), {{x, 0}, {x - 1, 0}});
+    }
+  }
+  return make_ring(ring, "comb");
+}
+
 // A comb, whose teeth are alike but for the height of every third one and a side of every fifth
 // one: so what goes before an edge differs too, before convex and reflex vertices.
 Boundary comb(int teeth) {
@@ -183,18 +209,7 @@ Boundary comb(int teeth) {
 TEST(WitnessSearch, LeavesOutPairsThatEqualOthersAlone) {
   const Example example{comb(24), comb(20)};
   const auto sum_of_pair = [&](const WitnessSearch::Pair& pair) {
-    const auto [i, j] = pair;
-    const Point p = example.operands.relative(i, j);
-    const Point q = example.operands.relative(example.a.next(i), example.b.next(j));
-    const Directions& directions = example.operands.directions;
-    return std::tuple{p.x,
-                      p.y,
-                      q.x,
-                      q.y,
-                      directions.rank_a[i],
-                      directions.rank_b[j],
-                      directions.rank_a[example.a.previous(i)],
-                      directions.rank_b[example.b.previous(j)]};
+    return example.sum_of_pair(pair.i, pair.j);
   };
   using Sum = decltype(sum_of_pair({}));
   WitnessSearch search(example.operands);
@@ -219,6 +234,37 @@ TEST(WitnessSearch, LeavesOutPairsThatEqualOthersAlone) {
     left_out += all.size() - some.size();
   }
   EXPECT_GT(left_out, 300U);
+}
+
+// Nearly all superset edges of combs whose teeth are all alike coincide with others.
+TEST(WitnessSearch, PassesOverEdgesThatEqualOthers) {
+  const Example example{even_comb(40), even_comb(32)};
+  const Directions& directions = example.operands.directions;
+  for (const Rank first : {Rank{0}, directions.half_turn}) {
+    WitnessSearch search(example.operands);
+    const auto key = [&](const PairEdge& e) {
+      return std::pair{e.kind, example.sum_of_pair(e.i, e.j)};
+    };
+    std::set<decltype(key(PairEdge{}))> visited;
+    std::size_t visits = 0;
+    search.for_each_uncovered_edge(
+        first,
+        [&](const PairEdge& e) {
+          visited.insert(key(e));
+          ++visits;
+        },
+        [](std::uint64_t) {});
+    std::size_t all = 0;
+    for (const PairEdge& e : example.contributing_edges()) {
+      if (directions.angle(first, e.rank) < directions.half_turn) {
+        const RelativeLine line = example.line(e);
+        ASSERT_TRUE(visited.count(key(e)) != 0 || search.covers(box_of(line.at(0), line.at(1))));
+        ++all;
+      }
+    }
+    EXPECT_LT(2 * visits, all);
+    EXPECT_LT(visits, 8 * (example.a.size() + example.b.size()));
+  }
 }
 
 TEST(WitnessSearch, PassesOverCoveredEdgesAlone) {
