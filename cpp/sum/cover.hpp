@@ -16,6 +16,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -69,84 +71,7 @@ class EdgeCover {
 
   // Calls the visitor for all that the open sum leaves of s, from the start of s to its end.
   template <class Visitor>
-  void walk(const PairEdge& s, Visitor& visitor) {
-    const PlacesOnLine places(operands_, s, tally_);
-    const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
-    const bool has_points = border_ == nullptr || !border_->makes(s);
-    const bool has_segments =
-        has_points && (border_ == nullptr || !border_->holds(operands_, places));
-    if (has_points && !has_segments) {
-      visit_segments_along_border(places, visitor);
-    }
-    search_.begin(line);
-    std::optional<Place> segment;  // where one has begun
-    runs_.clear();
-    if constexpr (Visitor::knows_rings) {
-      visitor.known_runs(places, runs_);
-      for (Run& run : runs_) {
-        run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
-      }
-    }
-    WindowBorder::Part part{places.start(), places.end()};
-    if (border_ != nullptr) {
-      part = border_->clipped(operands_, places, part);
-      if (places.compare(part.from, part.to) > 0) {
-        return;
-      }
-    }
-    std::optional<Place> place = part.from;
-    if (find_run(places, line, *place) == nullptr) {
-      place = skip(places, line, std::max(parameters_of(line, *place).lo, 0.0), *place);
-    }
-    while (place) {
-      if (const Run* const run = find_run(places, line, *place)) {
-        if (segment) {
-          visitor.segment(places, *segment, *place);
-          segment.reset();
-        }
-        place = leave_ring(places, line, run->to);
-        continue;
-      }
-      const bool is_end = places.compare(*place, part.to) >= 0;
-      if constexpr (Visitor::knows_rings) {
-        if (is_end && border_ == nullptr && lies_on_known_ring(places, *place, visitor)) {
-          if (segment) {
-            visitor.segment(places, *segment, *place);
-          }
-          return;
-        }
-      }
-      Surroundings surroundings = look(places, line, *place);
-      const Containment containment = contained_at(places, line, *place);
-      surroundings.is_covered = surroundings.is_covered || containment.of_place;
-      const bool leads_on =
-          !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
-      const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);
-      if (segment && !(leads_on && !is_ring)) {
-        visitor.segment(places, *segment, *place);
-        segment.reset();
-      }
-      // A segment may meet the window in its end alone: the border is in its way.
-      if ((has_points && is_point(surroundings)) ||
-          (has_segments && border_ != nullptr && !surroundings.is_covered &&
-           surroundings.blocked_inside.leave_a_way_along(s.rank, surroundings.blocked))) {
-        visitor.point(places, *place);
-      }
-      if (is_end) {
-        return;
-      }
-      if (is_ring) {
-        place = leave_ring(places, line, visitor.ring(places, *place));
-      } else if (leads_on) {
-        if (!segment && has_segments) {
-          segment = place;
-        }
-        place = next_change(places, line, *place);
-      } else {
-        place = leave_cover(places, line, *place, containment);
-      }
-    }
-  }
+  void walk(const PairEdge& s, Visitor& visitor);
 
   // The same for all superset edges of the half-plane of directions that begins with that rank.
   // Returns how many there were. Calls pass(pairs), as the search does.
@@ -246,11 +171,23 @@ class EdgeCover {
   // Parts of s that are segments of F where the border is not seen, clipped to the window.
   std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
   // The contacts at a place; not all of them if it is covered.
-  Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+  Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place) {
+    return *look_at_few(places, line, place, all_pairs);
+  }
+  // The same, or nothing where more than so many pairs of edges do not tell.
+  std::optional<Surroundings> look_at_few(const PlacesOnLine& places, const RelativeLine& line,
+                                          const Place& place, std::size_t most_pairs);
+  static constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
+  // Where more are near, edges overlap: combs that face each other, on the border of their sum.
+  static constexpr std::size_t few_pairs = 32;
   // The next pair of edges near what the search has approached.
   std::optional<WitnessSearch::Pair> next_pair();
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
+  // What follows the place on s is covered if a pair of edges shows it: then a place beyond, up to
+  // which that is so. Of pairs that were not met yet, the first one tells.
+  std::optional<Place> exit_of_cover(const PlacesOnLine& places, const Place& place,
+                                     const Containment& containment = {});
   // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
   // ends first.
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
@@ -284,30 +221,130 @@ class EdgeCover {
   WitnessSearch search_;
   std::vector<WitnessSearch::Pair> met_pairs_;  // since a place was looked at
   std::vector<Run> runs_;                       // of an edge
+  std::vector<Run> runs_across_;                // of others through a place on it
 };
+
+template <class Visitor>
+void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
+  const PlacesOnLine places(operands_, s, tally_);
+  const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
+  const bool has_points = border_ == nullptr || !border_->makes(s);
+  const bool has_segments =
+      has_points && (border_ == nullptr || !border_->holds(operands_, places));
+  if (has_points && !has_segments) {
+    visit_segments_along_border(places, visitor);
+  }
+  search_.begin(line);
+  std::optional<Place> segment;  // where one has begun
+  runs_.clear();
+  if constexpr (Visitor::knows_rings) {
+    visitor.known_runs(places, runs_);
+    for (Run& run : runs_) {
+      run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
+    }
+  }
+  WindowBorder::Part part{places.start(), places.end()};
+  if (border_ != nullptr) {
+    part = border_->clipped(operands_, places, part);
+    if (places.compare(part.from, part.to) > 0) {
+      return;
+    }
+  }
+  std::optional<Place> place = part.from;
+  if (find_run(places, line, *place) == nullptr) {
+    place = skip(places, line, std::max(parameters_of(line, *place).lo, 0.0), *place);
+  }
+  while (place) {
+    if (const Run* const run = find_run(places, line, *place)) {
+      if (segment) {
+        visitor.segment(places, *segment, *place);
+        segment.reset();
+      }
+      place = leave_ring(places, line, run->to);
+      continue;
+    }
+    const bool is_end = places.compare(*place, part.to) >= 0;
+    if (is_end && lies_on_known_ring(places, *place, visitor)) {
+      if (segment) {
+        visitor.segment(places, *segment, *place);
+      }
+      return;
+    }
+    std::optional<Surroundings> found =
+        look_at_few(places, line, *place, Visitor::knows_rings ? few_pairs : all_pairs);
+    if (!found && lies_on_known_ring(places, *place, visitor)) {
+      // What follows is soon shown to be covered, as a rule.
+      if (const std::optional<Place> exit = exit_of_cover(places, *place)) {
+        if (segment) {
+          visitor.segment(places, *segment, *place);
+          segment.reset();
+        }
+        place = skip_between(places, line, *place, *exit);
+        continue;
+      }
+    }
+    if (!found) {
+      found.emplace(look(places, line, *place));
+    }
+    Surroundings& surroundings = *found;
+    const Containment containment = contained_at(places, line, *place);
+    surroundings.is_covered = surroundings.is_covered || containment.of_place;
+    const bool leads_on =
+        !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
+    const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);
+    if (segment && !(leads_on && !is_ring)) {
+      visitor.segment(places, *segment, *place);
+      segment.reset();
+    }
+    // A segment may meet the window in its end alone: the border is in its way.
+    if ((has_points && is_point(surroundings)) ||
+        (has_segments && border_ != nullptr && !surroundings.is_covered &&
+         surroundings.blocked_inside.leave_a_way_along(s.rank, surroundings.blocked))) {
+      visitor.point(places, *place);
+    }
+    if (is_end) {
+      return;
+    }
+    if (is_ring) {
+      place = leave_ring(places, line, visitor.ring(places, *place));
+    } else if (leads_on) {
+      if (!segment && has_segments) {
+        segment = place;
+      }
+      place = next_change(places, line, *place);
+    } else {
+      place = leave_cover(places, line, *place, containment);
+    }
+  }
+}
 
 template <class Visitor>
 bool EdgeCover::lies_on_known_ring(const PlacesOnLine& places, const Place& place,
                                    Visitor& visitor) {
-  const auto lies_on = [&](const PairEdge& edge) {
-    if (places.is_parallel(edge)) {
-      return false;
+  if constexpr (Visitor::knows_rings) {
+    if (border_ == nullptr) {
+      const auto lies_on = [&](const PairEdge& edge) {
+        if (places.is_parallel(edge)) {
+          return false;
+        }
+        const PlacesOnLine others(operands_, edge, tally_);
+        const Place here = place.is_sum ? place : others.crossing(places.line());
+        runs_across_.clear();
+        visitor.known_runs(others, runs_across_);
+        return std::any_of(runs_across_.begin(), runs_across_.end(), [&](const Run& run) {
+          return others.compare(run.from, here) <= 0 && others.compare(here, run.to) <= 0;
+        });
+      };
+      if (!place.is_sum) {
+        return lies_on(place.crossing);
+      }
+      const auto [i, j] = place.sum;
+      return lies_on(operands_.translated(i, j)) || lies_on(operands_.corner(i, j)) ||
+             lies_on(operands_.translated(operands_.a.previous(i), j)) ||
+             lies_on(operands_.corner(i, operands_.b.previous(j)));
     }
-    const PlacesOnLine others(operands_, edge, tally_);
-    const Place here = place.is_sum ? place : others.crossing(places.line());
-    runs_.clear();
-    visitor.known_runs(others, runs_);
-    return std::any_of(runs_.begin(), runs_.end(), [&](const Run& run) {
-      return others.compare(run.from, here) <= 0 && others.compare(here, run.to) <= 0;
-    });
-  };
-  if (!place.is_sum) {
-    return lies_on(place.crossing);
   }
-  const auto [i, j] = place.sum;
-  return lies_on(operands_.translated(i, j)) || lies_on(operands_.corner(i, j)) ||
-         lies_on(operands_.translated(operands_.a.previous(i), j)) ||
-         lies_on(operands_.corner(i, operands_.b.previous(j)));
+  return false;
 }
 
 }  // namespace gcv
