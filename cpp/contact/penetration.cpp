@@ -83,23 +83,6 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
   return result;
 }
 
-// A region that is given up after so many reports.
-struct WaysOut::Attempt {
-  static constexpr std::uint64_t steps_a_report = 1U << 14;  // about, and visits of witnesses
-
-  Task& task;
-  std::uint64_t reports_left;
-  bool is_given_up = false;
-
-  static std::int32_t report(void* context, std::uint64_t /*done*/, std::uint64_t /*all*/) {
-    Attempt& attempt = *static_cast<Attempt*>(context);
-    attempt.task.poll();
-    attempt.is_given_up = attempt.reports_left == 0;
-    --attempt.reports_left;
-    return attempt.is_given_up ? 1 : 0;
-  }
-};
-
 WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts& wanted,
                  std::size_t places, Task& task, Tally& tally)
     : a_(a),
@@ -107,8 +90,8 @@ WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts
       operands_{a.boundary(), reflected_b.boundary(),
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
       wanted_(wanted),
-      places_(places) {
-  next_try_ = estimated_cover_steps(operands_.a, operands_.b) / 4;  // it may take less
+      places_(places),
+      trial_(operands_) {
   if (!wanted.holes) {
     outer_ring_ = walked_outer_ring(task, tally);
   }
@@ -129,37 +112,26 @@ std::uint64_t WaysOut::steps_to_spend() const {
              : steps_ / searches * (places_ - searches) / 2;
 }
 
-// How long the region takes shows when it is found. So it is begun, and given up when it has taken
-// too long.
 const FreeBoundary* WaysOut::boundary(Task& task) const {
   if (const FreeBoundary* const found = found_.load(std::memory_order_acquire)) {
     return found;
   }
-  if (steps_to_spend() < next_try_) {
+  if (!trial_.may_begin(steps_to_spend())) {
     return nullptr;
   }
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
   const std::uint64_t steps = steps_to_spend();
-  if (!lock.owns_lock() || boundary_ || steps < next_try_) {
+  if (!lock.owns_lock() || boundary_ || !trial_.may_begin(steps)) {
     return found_.load(std::memory_order_acquire);
   }
-  Attempt attempt{task, steps / Attempt::steps_a_report + 1};
-  try {
-    find_boundary(attempt);
-  } catch (const Error&) {
-    if (!attempt.is_given_up) {
-      throw;
-    }
-    next_try_ = 4 * steps;
+  if (!trial_.run(steps, task, [&](Task& own) { find_boundary(own); })) {
     return nullptr;
   }
   found_.store(&*boundary_, std::memory_order_release);
   return &*boundary_;
 }
 
-// It asks the caller, but tells nothing of its own steps.
-void WaysOut::find_boundary(Attempt& attempt) const {
-  Task task(1, &Attempt::report, &attempt, Attempt::steps_a_report);
+void WaysOut::find_boundary(Task& task) const {
   Counts counts;
   ExactRegion region;
   find_sum_parts(operands_,

@@ -10,6 +10,7 @@
 #include <span>
 #include <vector>
 
+#include "boundary_trial.hpp"
 #include "contact.hpp"
 #include "exact_region.hpp"
 #include "free_boundary.hpp"
@@ -48,14 +49,12 @@ class WaysOut {
   [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
 
  private:
-  struct Attempt;
-
   [[nodiscard]] bool are_convex() const { return operands_.a.is_convex && operands_.b.is_convex; }
   [[nodiscard]] std::vector<RingVertex> walked_outer_ring(Task& task, Tally& tally) const;
   // How many steps the boundary may take: half of those that searches will take without it,
   // which take about twice as long.
   [[nodiscard]] std::uint64_t steps_to_spend() const;
-  void find_boundary(Attempt& attempt) const;
+  void find_boundary(Task& task) const;
 
   const Polygon& a_;
   const Polygon& reflected_b_;
@@ -65,8 +64,8 @@ class WaysOut {
   std::uint64_t places_;
   mutable std::atomic<std::uint64_t> steps_{0};
   mutable std::atomic<std::uint64_t> searches_{0};
-  mutable std::atomic<std::uint64_t> next_try_{0};  // with so many steps to spend
-  mutable std::mutex mutex_;                        // of who finds it
+  mutable BoundaryTrial trial_;
+  mutable std::mutex mutex_;  // of who finds it
   mutable std::optional<FreeBoundary> boundary_;
   mutable std::atomic<const FreeBoundary*> found_{nullptr};  // once it is there
 };

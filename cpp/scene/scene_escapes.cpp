@@ -8,7 +8,10 @@
 #include <optional>
 #include <utility>
 
+#include "boundary_trial.hpp"
 #include "directions.hpp"
+#include "exact_region.hpp"
+#include "free_boundary.hpp"
 #include "free_place.hpp"
 #include "joined_solids.hpp"
 #include "placed_box.hpp"
@@ -35,12 +38,14 @@ struct SceneEscapeSearch::Neighbourhood {
   JoinedSolids solids;
   Operands operands;
   std::optional<FreePlaceSearch> search;
+  std::optional<FreeBoundary> boundary;  // of what is free, if it is known
 
   Neighbourhood(const FreePositions& positions, Slots members, Tally& tally)
       : slots(std::move(members)),
         solids(join_members(positions.scene(), positions.query(), slots)),
         operands{*solids.boundary, positions.reflected(),
-                 merge_directions(*solids.boundary, positions.reflected(), tally)} {}
+                 merge_directions(*solids.boundary, positions.reflected(), tally)},
+        trial_(operands) {}
 
   [[nodiscard]] bool holds(const Slots& others) const {
     return std::includes(slots.begin(), slots.end(), others.begin(), others.end());
@@ -50,6 +55,32 @@ struct SceneEscapeSearch::Neighbourhood {
     operands.focus = focus;
     search.emplace(operands, wanted, tally);
   }
+  // The nearest free place, if it is within a distance.
+  std::optional<FreePlace> nearest(const Point& position, double distance,
+                                   const WantedParts& wanted, Task& task) {
+    if (!boundary && !operands.focus && trial_.may_begin(steps_)) {
+      find_boundary(wanted, task);
+    }
+    if (boundary) {
+      return search->nearest(position, *boundary);
+    }
+    const std::optional<FreePlace> place = search->nearest(position, distance, {}, task, 1);
+    steps_ += search->last_steps() / 2;
+    return place;
+  }
+
+ private:
+  void find_boundary(const WantedParts& wanted, Task& task) {
+    trial_.run(steps_, task, [&](Task& own) {
+      Counts counts;
+      ExactRegion region;
+      find_free_boundary(operands, wanted, own, counts, region);
+      boundary.emplace(operands, region, slack_of(operands), counts.predicates);
+    });
+  }
+
+  BoundaryTrial trial_;
+  std::uint64_t steps_ = 0;  // that searches have taken, which take about twice as long
 };
 
 SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, Tally& tally)
@@ -109,7 +140,8 @@ SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
       distance = infinity;
     }
     Neighbourhood& found = neighbourhood(number, near, position, distance);
-    const std::optional<FreePlace> place = found.search->nearest(position, distance, {}, task, 1);
+    const std::optional<FreePlace> place =
+        found.nearest(position, distance, positions_.wanted(), task);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched =
           contact_in(found.operands, *found.search, *place, found.solids.owners, tally_);

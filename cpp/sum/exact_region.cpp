@@ -247,4 +247,18 @@ void find_free_parts(const Operands& operands, const WindowBorder* border,
   }
 }
 
+void find_free_boundary(const Operands& operands, const WantedParts& wanted, Task& task,
+                        Counts& counts, ExactRegion& region) {
+  Finder finder(operands, task, counts.predicates);
+  EdgeCover cover(operands, counts.predicates);
+  walk_half_plane(operands, cover, finder, task, counts);
+  for (const std::vector<RingVertex>& ring : finder.rings()) {
+    add_part(region, PartKind::outer, 0, ring);
+  }
+  if (wanted.fits) {
+    cover.visit_touches(finder, [](const VertexSum&) { return true; });
+    add_fits(operands, finder.fits(), region);
+  }
+}
+
 }  // namespace gcv

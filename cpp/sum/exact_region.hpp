@@ -36,4 +36,9 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
 void find_free_parts(const Operands& operands, const WindowBorder* border,
                      const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region);
 
+// Adds the parts of the free set in no order. Its rings are not put together to polygons: of those
+// of A, none needs to hold the others.
+void find_free_boundary(const Operands& operands, const WantedParts& wanted, Task& task,
+                        Counts& counts, ExactRegion& region);
+
 }  // namespace gcv

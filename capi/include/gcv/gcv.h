@@ -1726,8 +1726,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_distance(
  * @return as gcv_scene_distance; GCV_ERR_INVALID_ARGUMENT for options, too.
  * Exactness: as gcv_penetration. Cost, of each position where there is an overlap: that of the
  * superset edges as near as the way out; and O(n log n) for the n vertices of all solids near it
- * and of the polygon, once for positions in a row that have the same solids near them. Threads:
- * any. @since 0.2
+ * and of the polygon, once for positions in a row that have the same solids near them. Where these
+ * are many, the region of these solids is found once. Threads: any. @since 0.2
  */
 GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(const gcv_scene *scene,
                                                        const gcv_polygon *moving,
