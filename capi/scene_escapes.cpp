@@ -92,7 +92,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
                              gcv::capi::wanted_parts(known).fits);
     const std::size_t block = gcv::capi::long_block(count, known);
     gcv::capi::give_all(count, Task::portion, 1, block, known, out, [&](Tally& tally, Task& task) {
-      return [&, search = SceneEscapeSearch(ways, tally)](std::size_t k) mutable {
+      return [&, search = SceneEscapeSearch(ways, block, tally)](std::size_t k) mutable {
         const auto [id, escape] = search.find(all[k], task);
         const auto& [depth, way, place, contact] = escape;
         require_finite(place.position, "positions", k);

@@ -17,7 +17,7 @@ constexpr Index size = 16;  // of the chains that are compared
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }
 
-std::uint64_t joined(std::uint64_t hash, std::uint64_t other) {
+std::uint64_t hash_of(std::uint64_t hash, std::uint64_t other) {
   hash = (hash ^ other) * 0x9e3779b97f4a7c15;
   return hash ^ hash >> 32U;
 }
@@ -28,7 +28,7 @@ Repetition::Repetition(const EdgeChain& chain, const RingLayout& layout) : layou
   Hashes edges(chain.size());
   for (Index k = 0; k < chain.size(); ++k) {
     const std::span<const Point> ends = chain.ends(k, 1);
-    edges[k] = joined(joined(0, bits_of(ends[1].x - ends[0].x)), bits_of(ends[1].y - ends[0].y));
+    edges[k] = hash_of(hash_of(0, bits_of(ends[1].x - ends[0].x)), bits_of(ends[1].y - ends[0].y));
   }
   exists_ = do_chains_repeat(edges);
   if (exists_) {
@@ -42,7 +42,7 @@ bool Repetition::do_chains_repeat(const Hashes& edges) const {
   for (Index ring = 0; ring < layout_.ring_count(); ++ring) {
     for (Index first = layout_.begin(ring); first + size <= layout_.end(ring); first += size) {
       chains.push_back(
-          std::accumulate(&edges[first], &edges[first] + size, std::uint64_t{0}, joined));
+          std::accumulate(&edges[first], &edges[first] + size, std::uint64_t{0}, hash_of));
     }
   }
   const std::size_t all = chains.size();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <optional>
@@ -55,23 +56,29 @@ struct SceneEscapeSearch::Neighbourhood {
     operands.focus = focus;
     search.emplace(operands, wanted, tally);
   }
-  // The nearest free place, if it is within a distance.
-  std::optional<FreePlace> nearest(const Point& position, double distance,
+  // The nearest free place, if it is within a distance. `places`: how many more may be asked for.
+  std::optional<FreePlace> nearest(const Point& position, double distance, std::uint64_t places,
                                    const WantedParts& wanted, Task& task) {
-    if (!boundary && !operands.focus && trial_.may_begin(steps_)) {
-      find_boundary(wanted, task);
+    if (!boundary && !operands.focus && trial_.may_begin(steps_to_spend(places))) {
+      find_boundary(wanted, steps_to_spend(places), task);
     }
     if (boundary) {
       return search->nearest(position, *boundary);
     }
     const std::optional<FreePlace> place = search->nearest(position, distance, {}, task, 1);
-    steps_ += search->last_steps() / 2;
+    steps_ += search->last_steps();
+    ++searches_;
     return place;
   }
 
  private:
-  void find_boundary(const WantedParts& wanted, Task& task) {
-    trial_.run(steps_, task, [&](Task& own) {
+  // Half of those that the next searches take, as many as there were at most: they take about twice
+  // as long.
+  [[nodiscard]] std::uint64_t steps_to_spend(std::uint64_t places) const {
+    return searches_ == 0 ? 0 : steps_ / searches_ * std::min(places, searches_) / 2;
+  }
+  void find_boundary(const WantedParts& wanted, std::uint64_t steps, Task& task) {
+    trial_.run(steps, task, [&](Task& own) {
       Counts counts;
       ExactRegion region;
       find_free_boundary(operands, wanted, own, counts, region);
@@ -80,11 +87,13 @@ struct SceneEscapeSearch::Neighbourhood {
   }
 
   BoundaryTrial trial_;
-  std::uint64_t steps_ = 0;  // that searches have taken, which take about twice as long
+  std::uint64_t steps_ = 0;  // that searches have taken
+  std::uint64_t searches_ = 0;
 };
 
-SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, Tally& tally)
-    : positions_(positions), tally_(tally) {}
+SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, std::size_t places,
+                                     Tally& tally)
+    : positions_(positions), tally_(tally), places_(places) {}
 SceneEscapeSearch::SceneEscapeSearch(SceneEscapeSearch&&) noexcept = default;
 SceneEscapeSearch::~SceneEscapeSearch() = default;
 
@@ -121,6 +130,7 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
 // Within a distance, only solids that are no further from the polygon matter. The first distance is
 // about half the size of the polygon. It grows, more and more, until it holds a free position.
 SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
+  places_ -= places_ > 0 ? 1 : 0;
   const ExactPoint start = ExactPoint::of_sum({position, {0, 0}});
   if (positions_.relation(position, tally_) != Relation::overlapping) {
     return {0, {0, {0, 0}, positions_.usable(start, tally_), {}}};
@@ -141,7 +151,7 @@ SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
     }
     Neighbourhood& found = neighbourhood(number, near, position, distance);
     const std::optional<FreePlace> place =
-        found.nearest(position, distance, positions_.wanted(), task);
+        found.nearest(position, distance, places_ + 1, positions_.wanted(), task);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched =
           contact_in(found.operands, *found.search, *place, found.solids.owners, tally_);

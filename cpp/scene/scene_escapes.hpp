@@ -22,8 +22,8 @@ struct SceneEscape {
 // the same solids near.
 class SceneEscapeSearch {
  public:
-  // The positions must live longer.
-  SceneEscapeSearch(const FreePositions& positions, Tally& tally);
+  // The positions must live longer. `places`: from how many ways out are sought, about.
+  SceneEscapeSearch(const FreePositions& positions, std::size_t places, Tally& tally);
   SceneEscapeSearch(SceneEscapeSearch&& other) noexcept;
   ~SceneEscapeSearch();
 
@@ -41,6 +41,7 @@ class SceneEscapeSearch {
 
   const FreePositions& positions_;
   Tally& tally_;
+  std::uint64_t places_;                                        // that are still to come
   std::vector<std::unique_ptr<Neighbourhood>> neighbourhoods_;  // by the number of the search
 };
 
