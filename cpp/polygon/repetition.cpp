@@ -13,7 +13,7 @@ namespace gcv {
 
 namespace {
 
-constexpr Index size = 16;  // of the chains that are compared
+constexpr Index compared = 16;  // edges of a chain
 
 std::uint64_t bits_of(double value) { return std::bit_cast<std::uint64_t>(value + 0.0); }
 
@@ -40,9 +40,10 @@ Repetition::Repetition(const EdgeChain& chain, const RingLayout& layout) : layou
 bool Repetition::do_chains_repeat(const Hashes& edges) const {
   Hashes chains;
   for (Index ring = 0; ring < layout_.ring_count(); ++ring) {
-    for (Index first = layout_.begin(ring); first + size <= layout_.end(ring); first += size) {
+    for (Index first = layout_.begin(ring); first + compared <= layout_.end(ring);
+         first += compared) {
       chains.push_back(
-          std::accumulate(&edges[first], &edges[first] + size, std::uint64_t{0}, hash_of));
+          std::accumulate(&edges[first], &edges[first] + compared, std::uint64_t{0}, hash_of));
     }
   }
   const std::size_t all = chains.size();
@@ -79,7 +80,7 @@ void Repetition::find_starts(const EdgeChain& chain) {
     while (start + 1 < count && (is_convex(start) || !is_convex(start + 1))) {
       ++start;
     }
-    starts_.push_back(begin + start % size - size);
+    starts_.push_back(begin + start % compared - compared);
   }
 }
 
