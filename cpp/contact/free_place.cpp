@@ -46,14 +46,6 @@ class BestFree {
   // Places further from the goal than this do not matter.
   [[nodiscard]] const double& reach() const { return reach_; }
 
-  Place ring(const PlacesOnLine& places, const Place& from) {
-    // A fit may go on where the free side ends.
-    const Place to = cover_.end_of_free(places, from, !wanted_.fits);
-    if (wanted_.holes) {
-      best().take(places, from, to);
-    }
-    return to;
-  }
   void segment(const PlacesOnLine& places, const Place& from, const Place& to) {
     if (wanted_.fits) {
       best().take(places, from, to);
@@ -67,6 +59,11 @@ class BestFree {
   }
 
  protected:
+  [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
+  // Where a ring leaves the line. A fit may go on where the free side ends.
+  [[nodiscard]] Place end_of_ring(const PlacesOnLine& places, const Place& from) {
+    return cover_.end_of_free(places, from, !wanted_.fits);
+  }
   [[nodiscard]] RelativeLine relative_line(const PlacesOnLine& places) const {
     const SumEdge& s = places.line().at;
     return {operands_.relative_start(places.line().edge), s.dx, s.dy};
@@ -141,6 +138,13 @@ class NearestFree : public BestFree<NearestFree> {
         from_(from),
         relative_(relative) {}
 
+  Place ring(const PlacesOnLine& places, const Place& from) {
+    const Place to = end_of_ring(places, from);
+    if (wanted().holes) {
+      take(places, from, to);
+    }
+    return to;
+  }
   // The places from one to another on a line. Of a ring, less the last one: the next edge has that.
   void take(const PlacesOnLine& places, const Place& from, const Place& to,
             bool is_of_ring = false) {
@@ -196,16 +200,14 @@ class FurthestFree : public BestFree<FurthestFree> {
                const NearestEdges& edges, const Point& direction, Tally& tally)
       : BestFree(operands, wanted, cover, edges, infinity, tally), direction_(direction) {}
 
-  void take(const PlacesOnLine& places, const Place& from, const Place& to) {
-    const SumEdge& s = places.line().at;
+  // On edges that do not lead on, all others are less far.
+  Place ring(const PlacesOnLine& places, const Place& from) {
+    take(places, from, from);
+    return places.end();
+  }
+  void take(const PlacesOnLine& places, const Place& from, const Place& /*to*/) {
     const RelativeLine line = relative_line(places);
-    const int ahead = sign_along(direction_, s.from, s.to, tally_);
-    if (ahead <= 0) {
-      compare(places, exact_point(s, from), line, parameters_of(line, from), from);
-    }
-    if (ahead >= 0) {
-      compare(places, exact_point(s, to), line, parameters_of(line, to), to);
-    }
+    compare(places, exact_point(places.line().at, from), line, parameters_of(line, from), from);
   }
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {
     return -compare_along(direction_, p, q, tally_);
@@ -270,19 +272,21 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeB
   return best.found();
 }
 
-// The furthest place of a ring ends an edge that does not lead back, or begins one that leads
-// neither on nor back. So do segments, for one of two opposite directions.
+// The furthest place of a ring, the lexicographically smallest of several, begins an edge that
+// leads back, or neither on nor back and to lexicographically larger ones. So do segments, for one
+// of two opposite directions.
 std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task,
                                                    std::uint64_t step) {
   nearest_edges_.set_goal(Goal::far(direction));
   FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, tally_);
   known_.clear();
-  const auto leads_back = [&](const PairEdge& s) {
+  const auto leads_on = [&](const PairEdge& s) {
     const auto [from, to] = operands_.source(s);
-    return sign_along(direction, from, to, tally_) < 0;
+    const int sign = sign_along(direction, from, to, tally_);
+    return sign > 0 || (sign == 0 && lexicographically_less(to, from));
   };
   nearest_edges_.for_each(
-      best.reach(), [&](const PairEdge& s) { return leads_back(s) || known_.hold(s); },
+      best.reach(), [&](const PairEdge& s) { return leads_on(s) || known_.hold(s); },
       [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });

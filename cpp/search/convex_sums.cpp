@@ -206,6 +206,35 @@ bool ConvexSums::any_of(Index solid, Lanes lanes_of, Test test) {
   return false;
 }
 
+void ConvexSums::add_to(CoveredCells& cells) {
+  for (Index solid = 0; solid < solids_.size(); ++solid) {
+    const auto [first, end] = sums_of(solid);
+    const auto for_each_sum = [&](auto visit) {
+      for (std::uint32_t k = first; k < end; ++k) {
+        for_each_lane(sums_[k].lanes, [&](std::uint32_t lane) { visit(sums_[k], lane); });
+      }
+    };
+    double most = -1;
+    std::uint32_t largest_a = 0;
+    std::uint32_t largest_b = 0;
+    for_each_sum([&](const Sums& sums, std::uint32_t lane) {
+      const Box box = sums.boxes.box(lane);
+      if (const double size = (box.x1 - box.x0) * (box.y1 - box.y0); size > most) {
+        most = size;
+        largest_a = sums.piece_a[lane];
+        largest_b = sums.piece_b[lane];
+      }
+    });
+    for_each_sum([&](Sums& sums, std::uint32_t lane) {
+      const bool is_large = sums.piece_a[lane] == largest_a || sums.piece_b[lane] == largest_b;
+      if (is_large && half_planes_.size() < most_half_planes_ / 2) {
+        const auto [from, to] = half_planes_of(sums, lane);
+        cells.add(std::span(half_planes_).subspan(from, to - from), sums.boxes.box(lane));
+      }
+    });
+  }
+}
+
 // Of the corners of the box, that counts which is furthest to the right of e.
 bool ConvexSums::hold(const Box& box, const Span& half_planes) const {
   for (std::uint32_t n = half_planes.first; n < half_planes.end; ++n) {

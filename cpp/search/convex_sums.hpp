@@ -12,6 +12,8 @@
 
 #include "box.hpp"
 #include "contributing_vertices.hpp"
+#include "covered_cells.hpp"
+#include "half_planes.hpp"
 #include "simd.hpp"
 #include "witness.hpp"
 
@@ -24,6 +26,10 @@ class ConvexSums {
   ConvexSums(const Operands& operands, double slack);
 
   [[nodiscard]] bool is_empty() const { return solids_.empty(); }
+
+  // Adds the cells that lie in one of them: of each solid in the sums of its largest piece, and in
+  // those with the largest piece of B. In large scenes, up to half of all half-planes.
+  void add_to(CoveredCells& cells);
 
   // Does one of them hold the box, in relative coordinates?
   bool hold(const Box& box);
@@ -45,13 +51,6 @@ class ConvexSums {
     Point p;
     Point e;
     double least;
-  };
-  struct HalfPlanes {
-    double px[SimdDouble::width];
-    double py[SimdDouble::width];
-    double ex[SimdDouble::width];
-    double ey[SimdDouble::width];
-    double least[SimdDouble::width];
   };
   // Four sums: what their half-planes share.
   struct Sums {

@@ -7,11 +7,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "bit_rows.hpp"
 #include "box.hpp"
 #include "contributing_vertices.hpp"
+#include "half_planes.hpp"
 #include "witness.hpp"
 
 namespace gcv {
@@ -24,6 +26,10 @@ class CoveredCells {
 
   // Adds the cells that lie in a witness.
   void add(const Witness& witness);
+
+  // Adds the cells that lie in the part of a box that half-planes share. In relative coordinates;
+  // as in convex_sums.hpp, `least` allows for errors.
+  void add(std::span<const HalfPlanes> half_planes, const Box& box);
 
   // Are there none, and never will be?
   [[nodiscard]] bool empty() const { return bits_.empty(); }
@@ -47,6 +53,14 @@ class CoveredCells {
   [[nodiscard]] bool is_set(std::uint32_t x, std::uint32_t y) const {
     return (bits_[y * words_ + x / word_size] >> (x % word_size) & 1U) != 0;
   }
+
+  // How far a half-plane holds rows, numbered from below: x up to, or from, first + step * row.
+  struct RowBound {
+    double first;
+    double step;
+  };
+  std::vector<RowBound> lows_;  // of one polygon
+  std::vector<RowBound> highs_;
 
   std::uint32_t side_ = 0;
   std::uint32_t words_ = 0;  // of a row

@@ -159,10 +159,13 @@ TEST(ConvexSums, LieInTheOpenSum) {
   Random random(413);
   int reached = 0;
   int held = 0;
+  int held_by_cells = 0;
   for (int k = 0; k < 40; ++k) {
     const SmallScene scene(random, k);
     ConvexSums sums(scene.operands, slack_of(scene.operands));
     ASSERT_FALSE(sums.is_empty());
+    CoveredCells cells(scene.operands, slack_of(scene.operands));
+    sums.add_to(cells);
     const auto place = [&] {
       return Point{test::uniform(random, -20, 180) * 0.25, test::uniform(random, -20, 70) * 0.25};
     };
@@ -186,8 +189,9 @@ TEST(ConvexSums, LieInTheOpenSum) {
       }
       reached += end > start ? 1 : 0;
       const Box box = box_of(p, {p.x + 0.5, p.y + 0.25});
-      if (sums.hold(box)) {
-        ++held;
+      held += sums.hold(box) ? 1 : 0;
+      held_by_cells += cells.hold(box) ? 1 : 0;
+      if (sums.hold(box) || cells.hold(box)) {
         for (const Point& corner :
              {Point{box.x0, box.y0}, Point{box.x1, box.y0}, Point{box.x1, box.y1}}) {
           ASSERT_TRUE(scene.covers(test::exact(corner)));
@@ -197,6 +201,7 @@ TEST(ConvexSums, LieInTheOpenSum) {
   }
   EXPECT_GT(reached, 800);
   EXPECT_GT(held, 800);
+  EXPECT_GT(held_by_cells, 700);
 }
 
 // Products of coordinates overflow.
