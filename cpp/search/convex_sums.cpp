@@ -57,8 +57,8 @@ Range range_in(const Box& box, const RelativeLine& line) {
 
 }  // namespace
 
-ConvexSums::ConvexSums(const Operands& operands, double slack)
-    : operands_(operands), slack_(slack) {
+ConvexSums::ConvexSums(const Operands& operands, double slack, CoveredCells& cells)
+    : operands_(operands), slack_(slack), cells_(cells) {
   if (operands.a.positions.empty() || operands.a.solids.empty() || !(slack < infinity)) {
     return;
   }
@@ -177,6 +177,34 @@ void ConvexSums::add_what_is_beyond() {
   add({outer.x0, high.y, outer.x1, outer.y1}, high, {1, 0});
 }
 
+void ConvexSums::add_cells(const Span& sums_of_solid) {
+  const auto for_each_sum = [&](auto visit) {
+    for (std::uint32_t k = sums_of_solid.first; k < sums_of_solid.end; ++k) {
+      for_each_lane(sums_[k].lanes, [&](std::uint32_t lane) { visit(sums_[k], lane); });
+    }
+  };
+  double most = -1;
+  std::uint32_t largest_a = 0;
+  std::uint32_t largest_b = 0;
+  for_each_sum([&](const Sums& sums, std::uint32_t lane) {
+    const Box box = sums.boxes.box(lane);
+    if (const double size = (box.x1 - box.x0) * (box.y1 - box.y0); size > most) {
+      most = size;
+      largest_a = sums.piece_a[lane];
+      largest_b = sums.piece_b[lane];
+    }
+  });
+  for_each_sum([&](Sums& sums, std::uint32_t lane) {
+    if (sums.piece_a[lane] == largest_a || sums.piece_b[lane] == largest_b) {
+      const Span& span = half_planes_of(sums, lane);
+      if (span.first != unknown) {
+        cells_.add(std::span(half_planes_).subspan(span.first, span.end - span.first),
+                   sums.boxes.box(lane));
+      }
+    }
+  });
+}
+
 const ConvexSums::Span& ConvexSums::sums_of(Index solid) {
   Span& span = solids_[solid];
   if (span.first == unknown) {
@@ -187,6 +215,9 @@ const ConvexSums::Span& ConvexSums::sums_of(Index solid) {
       add_sums_of_pieces(solid);
     }
     span.end = static_cast<std::uint32_t>(sums_.size());
+    if (!cells_.empty()) {
+      add_cells(span);
+    }
   }
   return span;
 }
@@ -204,35 +235,6 @@ bool ConvexSums::any_of(Index solid, Lanes lanes_of, Test test) {
     }
   }
   return false;
-}
-
-void ConvexSums::add_to(CoveredCells& cells) {
-  for (Index solid = 0; solid < solids_.size(); ++solid) {
-    const auto [first, end] = sums_of(solid);
-    const auto for_each_sum = [&](auto visit) {
-      for (std::uint32_t k = first; k < end; ++k) {
-        for_each_lane(sums_[k].lanes, [&](std::uint32_t lane) { visit(sums_[k], lane); });
-      }
-    };
-    double most = -1;
-    std::uint32_t largest_a = 0;
-    std::uint32_t largest_b = 0;
-    for_each_sum([&](const Sums& sums, std::uint32_t lane) {
-      const Box box = sums.boxes.box(lane);
-      if (const double size = (box.x1 - box.x0) * (box.y1 - box.y0); size > most) {
-        most = size;
-        largest_a = sums.piece_a[lane];
-        largest_b = sums.piece_b[lane];
-      }
-    });
-    for_each_sum([&](Sums& sums, std::uint32_t lane) {
-      const bool is_large = sums.piece_a[lane] == largest_a || sums.piece_b[lane] == largest_b;
-      if (is_large && half_planes_.size() < most_half_planes_ / 2) {
-        const auto [from, to] = half_planes_of(sums, lane);
-        cells.add(std::span(half_planes_).subspan(from, to - from), sums.boxes.box(lane));
-      }
-    });
-  }
 }
 
 // Of the corners of the box, that counts which is furthest to the right of e.

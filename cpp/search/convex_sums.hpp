@@ -22,14 +22,11 @@ namespace gcv {
 class ConvexSums {
  public:
   // `slack`: as in witness.hpp; there are none if it is infinite. O(m) for m solids; sums are
-  // computed when they are near what is asked.
-  ConvexSums(const Operands& operands, double slack);
+  // computed when they are near what is asked. Then cells that lie in them are added to `cells`,
+  // which must live longer.
+  ConvexSums(const Operands& operands, double slack, CoveredCells& cells);
 
   [[nodiscard]] bool is_empty() const { return solids_.empty(); }
-
-  // Adds the cells that lie in one of them: of each solid in the sums of its largest piece, and in
-  // those with the largest piece of B. In large scenes, up to half of all half-planes.
-  void add_to(CoveredCells& cells);
 
   // Does one of them hold the box, in relative coordinates?
   bool hold(const Box& box);
@@ -80,6 +77,8 @@ class ConvexSums {
   void add_sums_of_pieces(Index solid);
   void add_what_is_beyond();
   const Span& sums_of(Index solid);
+  // Adds the cells in sums of the largest piece of a solid, and in those with the largest one of B.
+  void add_cells(const Span& sums_of_solid);
 
   // Is test(half-planes, box) true for a sum of a solid that `lanes_of` finds by the boxes?
   template <class Lanes, class Test>
@@ -94,6 +93,7 @@ class ConvexSums {
 
   const Operands& operands_;
   double slack_;
+  CoveredCells& cells_;
   std::vector<Box> boxes_b_;  // of the pieces of B
   std::vector<Span> solids_;  // the sums of each, once they are known
   std::vector<Sums> sums_;

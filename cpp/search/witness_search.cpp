@@ -53,11 +53,7 @@ WitnessSearch::WitnessSearch(const Operands& operands)
       equal_(equal_nodes(operands)),
       met_(equal_.exist() ? std::optional(VisitedPairs{}) : std::nullopt),
       cells_(operands, slack_),
-      sums_(operands, slack_) {
-  if (!cells_.empty()) {
-    sums_.add_to(cells_);
-  }
-}
+      sums_(operands, slack_, cells_) {}
 
 // Where rings of a polygon touch, the solid has more sides in a point than those of two edges.
 EqualNodes WitnessSearch::equal_nodes(const Operands& operands) {

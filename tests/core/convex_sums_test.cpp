@@ -162,10 +162,9 @@ TEST(ConvexSums, LieInTheOpenSum) {
   int held_by_cells = 0;
   for (int k = 0; k < 40; ++k) {
     const SmallScene scene(random, k);
-    ConvexSums sums(scene.operands, slack_of(scene.operands));
-    ASSERT_FALSE(sums.is_empty());
     CoveredCells cells(scene.operands, slack_of(scene.operands));
-    sums.add_to(cells);
+    ConvexSums sums(scene.operands, slack_of(scene.operands), cells);
+    ASSERT_FALSE(sums.is_empty());
     const auto place = [&] {
       return Point{test::uniform(random, -20, 180) * 0.25, test::uniform(random, -20, 70) * 0.25};
     };
@@ -234,7 +233,8 @@ TEST(ConvexSums, AreOpen) {
   const Boundary all = joined(std::vector<PlacedBoundary>{{outside, {0, 0}}, {square, {3, 4}}});
   Tally tally;
   const Operands operands{all, square, merge_directions(all, square, tally)};
-  ConvexSums sums(operands, slack_of(operands));
+  CoveredCells cells(operands, slack_of(operands));
+  ConvexSums sums(operands, slack_of(operands), cells);
   // The sum of the squares is from (3, 4) to (7, 8).
   EXPECT_EQ(sums.reach({{3, 5}, 0, 1}, 0, 0x1p-20), 0);
   EXPECT_EQ(sums.reach({{5, 8}, 1, 0}, 0, 0x1p-20), 0);

@@ -11,6 +11,7 @@
 
 #include "boundary.hpp"
 #include "chord_tree.hpp"
+#include "convex_sums.hpp"
 #include "directions.hpp"
 #include "generators.hpp"
 #include "tree_product.hpp"
@@ -234,8 +235,13 @@ TEST(CoveredCells, LieInTheOpenSumOfBricks) {
     const Boundary& first = is_wall_first ? wall : b;
     const Boundary& second = is_wall_first ? b : wall;
     const Operands operands{first, second, merge_directions(first, second, tally)};
-    const CoveredCells cells(operands, slack_of(operands));
+    CoveredCells cells(operands, slack_of(operands));
+    ConvexSums sums(operands, slack_of(operands), cells);
     for (int k = 0; k < side; ++k) {
+      // They are added where sums are asked.
+      for (const Point& corner : {Point{2.0 * k + 0.5, 0.5}, Point{0.5, 2.0 * k + 0.5}}) {
+        EXPECT_EQ(sums.hold(box_of(corner, corner)), is_wall_first);
+      }
       const auto holds = [&](double x, double y) { return cells.hold({x, y, x, y}); };
       EXPECT_TRUE(holds(2 * k + 0.75, 0.75)) << k;
       EXPECT_TRUE(holds(0.75, 2 * k + 0.75)) << k;
