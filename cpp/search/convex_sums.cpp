@@ -177,32 +177,20 @@ void ConvexSums::add_what_is_beyond() {
   add({outer.x0, high.y, outer.x1, outer.y1}, high, {1, 0});
 }
 
+// The largest piece of a polygon is its first one.
 void ConvexSums::add_cells(const Span& sums_of_solid) {
-  const auto for_each_sum = [&](auto visit) {
-    for (std::uint32_t k = sums_of_solid.first; k < sums_of_solid.end; ++k) {
-      for_each_lane(sums_[k].lanes, [&](std::uint32_t lane) { visit(sums_[k], lane); });
-    }
-  };
-  double most = -1;
-  std::uint32_t largest_a = 0;
-  std::uint32_t largest_b = 0;
-  for_each_sum([&](const Sums& sums, std::uint32_t lane) {
-    const Box box = sums.boxes.box(lane);
-    if (const double size = (box.x1 - box.x0) * (box.y1 - box.y0); size > most) {
-      most = size;
-      largest_a = sums.piece_a[lane];
-      largest_b = sums.piece_b[lane];
-    }
-  });
-  for_each_sum([&](Sums& sums, std::uint32_t lane) {
-    if (sums.piece_a[lane] == largest_a || sums.piece_b[lane] == largest_b) {
-      const Span& span = half_planes_of(sums, lane);
-      if (span.first != unknown) {
-        cells_.add(std::span(half_planes_).subspan(span.first, span.end - span.first),
-                   sums.boxes.box(lane));
+  for (std::uint32_t k = sums_of_solid.first; k < sums_of_solid.end; ++k) {
+    for_each_lane(sums_[k].lanes, [&](std::uint32_t lane) {
+      const std::uint32_t largest_a = sums_[sums_of_solid.first].piece_a[0];
+      if (sums_[k].piece_a[lane] != largest_a && sums_[k].piece_b[lane] != 0) {
+        return;
       }
-    }
-  });
+      if (const Span& span = half_planes_of(sums_[k], lane); span.first != unknown) {
+        cells_.add(std::span(half_planes_).subspan(span.first, span.end - span.first),
+                   sums_[k].boxes.box(lane));
+      }
+    });
+  }
 }
 
 const ConvexSums::Span& ConvexSums::sums_of(Index solid) {
