@@ -104,5 +104,5 @@ END
 "${cc[@]}" -I "$package/include" -c version.c -o version.obj
 lld-link-14 /entry:start /subsystem:console /nodefaultlib /out:version.exe version.obj \
   "$package/lib/gcv.lib"
-"$wine" version.exe || fail "the program linked in Microsoft's way fails"
+"$wine" version.exe || fail "the program linked in Microsoft's way ends with $?"
 say "all passed"
