@@ -171,13 +171,9 @@ std::optional<WitnessSearch::Pair> EdgeCover::next_pair() {
   return std::nullopt;
 }
 
-std::optional<EdgeCover::Surroundings> EdgeCover::look_at_few(const PlacesOnLine& places,
-                                                              const RelativeLine& line,
-                                                              const Place& place,
-                                                              std::size_t most_pairs) {
-  const Interval parameters = parameters_of(line, place);
-  search_.approach(parameters.lo, parameters.hi);
-  met_pairs_.clear();
+EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
+                                        const Place& place) {
+  approach(line, place);
   Surroundings result{false, BlockedDirections(operands_.directions),
                       BlockedDirections(operands_.directions)};
   bool is_inside = false;  // is the pair no border's?
@@ -214,9 +210,6 @@ std::optional<EdgeCover::Surroundings> EdgeCover::look_at_few(const PlacesOnLine
                        [&](Index vertex) { return is_at(places, place, sum(vertex)); });
   };
   while (const std::optional<WitnessSearch::Pair> pair = next_pair()) {
-    if (met_pairs_.size() > most_pairs) {
-      return std::nullopt;
-    }
     const Index i = pair->i;
     const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;

@@ -16,8 +16,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <limits>
 #include <optional>
 #include <vector>
 
@@ -170,16 +168,14 @@ class EdgeCover {
   }
   // Parts of s that are segments of F where the border is not seen, clipped to the window.
   std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
-  // The contacts at a place; not all of them if it is covered.
-  Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place) {
-    return *look_at_few(places, line, place, all_pairs);
+  // Begins to meet the pairs of edges near a place.
+  void approach(const RelativeLine& line, const Place& place) {
+    const Interval parameters = parameters_of(line, place);
+    search_.approach(parameters.lo, parameters.hi);
+    met_pairs_.clear();
   }
-  // The same, or nothing where more than so many pairs of edges do not tell.
-  std::optional<Surroundings> look_at_few(const PlacesOnLine& places, const RelativeLine& line,
-                                          const Place& place, std::size_t most_pairs);
-  static constexpr std::size_t all_pairs = std::numeric_limits<std::size_t>::max();
-  // Where more are near, edges overlap: combs that face each other, on the border of their sum.
-  static constexpr std::size_t few_pairs = 32;
+  // The contacts at a place; not all of them if it is covered.
+  Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
   // The next pair of edges near what the search has approached.
   std::optional<WitnessSearch::Pair> next_pair();
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
@@ -188,6 +184,12 @@ class EdgeCover {
   // which that is so. Of pairs that were not met yet, the first one tells.
   std::optional<Place> exit_of_cover(const PlacesOnLine& places, const Place& place,
                                      const Containment& containment = {});
+  // The same of a place that was not looked at.
+  std::optional<Place> exit_near(const PlacesOnLine& places, const RelativeLine& line,
+                                 const Place& place) {
+    approach(line, place);
+    return exit_of_cover(places, place);
+  }
   // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
   // ends first.
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
@@ -264,29 +266,22 @@ void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
       continue;
     }
     const bool is_end = places.compare(*place, part.to) >= 0;
-    if (is_end && lies_on_known_ring(places, *place, visitor)) {
-      if (segment) {
-        visitor.segment(places, *segment, *place);
-      }
-      return;
-    }
-    std::optional<Surroundings> found =
-        look_at_few(places, line, *place, Visitor::knows_rings ? few_pairs : all_pairs);
-    if (!found && lies_on_known_ring(places, *place, visitor)) {
+    if (lies_on_known_ring(places, *place, visitor)) {
       // What follows is soon shown to be covered, as a rule.
-      if (const std::optional<Place> exit = exit_of_cover(places, *place)) {
-        if (segment) {
-          visitor.segment(places, *segment, *place);
-          segment.reset();
-        }
+      const std::optional<Place> exit = is_end ? std::nullopt : exit_near(places, line, *place);
+      if (segment && (is_end || exit)) {
+        visitor.segment(places, *segment, *place);
+        segment.reset();
+      }
+      if (is_end) {
+        return;
+      }
+      if (exit) {
         place = skip_between(places, line, *place, *exit);
         continue;
       }
     }
-    if (!found) {
-      found.emplace(look(places, line, *place));
-    }
-    Surroundings& surroundings = *found;
+    Surroundings surroundings = look(places, line, *place);
     const Containment containment = contained_at(places, line, *place);
     surroundings.is_covered = surroundings.is_covered || containment.of_place;
     const bool leads_on =
