@@ -52,6 +52,8 @@ std::vector<Placement> placements() {
            [](const Rings& pair) {
              return Rings{pair.second, pair.first};
            }},
+          of_both("both 90°", {0, -1, 1, 0}),
+          of_both("both 180°", {-1, 0, 0, -1}),
           of_both("aspect 10", {10, 0, 0, 1}),
           of_both("aspect 1000", {1000, 0, 0, 1}),
           {"far",
