@@ -161,12 +161,13 @@ Place EdgeCover::next_change(const PlacesOnLine& places, const RelativeLine& lin
     if (germ_exit) {
       come(*germ_exit);  // the last one: what holds the germ is near
     }
-    if (to > 1 || parameters_of(line, first).hi < to) {
+    const double furthest = parameters_of(line, first).hi;
+    if (to > 1 || furthest < to) {
       return first;
     }
     ahead *= 8;
     to += ahead;
-    search_.approach_further(to);
+    search_.approach_further(std::min(to, furthest));
   }
 }
 
