@@ -174,6 +174,26 @@ std::optional<WitnessSearch::Pair> EdgeCover::next_pair() {
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
   approach(line, place);
+  if (!place.is_sum || seen_ < operands_.a.size()) {
+    return look_anew(places, place);
+  }
+  for (const Looked& looked : looked_) {
+    if (is_at(places, place, looked.sum)) {
+      return looked.surroundings;
+    }
+  }
+  const std::uint64_t before = search_.visits();
+  Surroundings surroundings = look_anew(places, place);
+  if (search_.visits() - before > many_visits) {
+    if (looked_.size() == most_looked) {
+      looked_.pop_front();
+    }
+    looked_.push_back({place.sum, surroundings});
+  }
+  return surroundings;
+}
+
+EdgeCover::Surroundings EdgeCover::look_anew(const PlacesOnLine& places, const Place& place) {
   Surroundings result{false, BlockedDirections(operands_.directions),
                       BlockedDirections(operands_.directions)};
   bool is_inside = false;  // is the pair no border's?

@@ -16,6 +16,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -176,6 +179,7 @@ class EdgeCover {
   }
   // The contacts at a place; not all of them if it is covered.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
+  Surroundings look_anew(const PlacesOnLine& places, const Place& place);
   // The next pair of edges near what the search has approached.
   std::optional<WitnessSearch::Pair> next_pair();
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
@@ -222,8 +226,16 @@ class EdgeCover {
   Tally& tally_;
   WitnessSearch search_;
   std::vector<WitnessSearch::Pair> met_pairs_;  // since a place was looked at
-  std::vector<Run> runs_;                       // of an edge
-  std::vector<Run> runs_across_;                // of others through a place on it
+  // The last places that took long to look at. Many superset edges begin or end there.
+  struct Looked {
+    VertexSum sum;
+    Surroundings surroundings;
+  };
+  static constexpr std::uint64_t many_visits = 256;
+  static constexpr std::size_t most_looked = 8;
+  std::deque<Looked> looked_;
+  std::vector<Run> runs_;         // of an edge
+  std::vector<Run> runs_across_;  // of others through a place on it
 };
 
 template <class Visitor>
