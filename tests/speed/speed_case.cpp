@@ -176,11 +176,31 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"coast_and_convex", coast_and_convex},
                                                          {"spiral_and_small", spiral_and_small}};
 
+// Edges that end on the border of the sum begin there.
+Pair turned(const Pair& pair) {
+  const Map half_turn{.xx = -1, .yy = -1};
+  return {mapped(pair.a, half_turn), mapped(pair.b, half_turn)};
+}
+Pair turned_combs() { return turned(combs()); }
+Pair turned_uneven_combs() { return turned(uneven_combs()); }
+
+// Hundreds of pairs of edges meet in a few places, where many superset edges begin and end.
+Pair turned_spirals() {
+  const Polygon spiral = square_spiral(40);
+  return turned({spiral, spiral});
+}
+
 // Their whole regions.
 const std::map<std::string, std::function<Pair()>> region_cases{
-    {"region_of_parts", parts},        {"region_of_stars", stars},
-    {"region_of_coasts", coasts},      {"region_of_key", key_in_slot},
-    {"region_of_combs", uneven_combs}, {"region_of_keyholes", keyholes}};
+    {"region_of_parts", parts},
+    {"region_of_stars", stars},
+    {"region_of_coasts", coasts},
+    {"region_of_key", key_in_slot},
+    {"region_of_combs", uneven_combs},
+    {"region_of_keyholes", keyholes},
+    {"region_of_turned_combs", turned_combs},
+    {"region_of_turned_spirals", turned_spirals},
+    {"region_of_turned_uneven_combs", turned_uneven_combs}};
 
 void require(gcv_status status) {
   if (status != GCV_OK) {
