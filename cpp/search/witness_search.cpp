@@ -23,10 +23,11 @@ constexpr double least_progress = 0x1p-20;
 constexpr std::size_t largest_nodes = 8;
 // Of so many of the last nodes the one that is near the line for longest comes first.
 constexpr std::size_t last_nodes = 4;
-// A search that meets more pairs of edges than that, and no witness, ends: the place lies on the
-// borders of many parallelograms, and their contacts tell sooner. At the very end of a line only
-// the large nodes are searched: it ends on the border of the sum, as a rule.
+// A search ends that meets more pairs of edges than that and no witness, or takes more nodes: the
+// place lies on the borders of many parallelograms, and their contacts tell sooner. At the very end
+// of a line only the large nodes are searched: it ends on the border of the sum, as a rule.
 constexpr std::size_t most_new_pairs = 8;
+constexpr std::size_t most_nodes = 64;
 
 // For heaps with the first in front. A total order, so that every standard library has the same.
 constexpr auto comes_later = [](const auto& p, const auto& q) {
@@ -313,7 +314,7 @@ double WitnessSearch::reach(double t, double until) {
          next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t); ++k) {
       if (k < largest_nodes) {
         expand_first(t, t);
-      } else if (least < 1 && near_pairs_.size() <= most_pairs) {
+      } else if (least < 1 && near_pairs_.size() <= most_pairs && k < most_nodes) {
         put_longest_last();
         expand_last(t, t);
       } else {
