@@ -184,6 +184,11 @@ Pair turned(const Pair& pair) {
 Pair turned_combs() { return turned(combs()); }
 Pair turned_uneven_combs() { return turned(uneven_combs()); }
 
+Pair crossed_combs() {
+  const Polygon polygon = comb(100, 1, 1, 7);
+  return {polygon, mapped(polygon, {.xx = 0, .xy = -1, .yx = 1, .yy = 0})};
+}
+
 // Hundreds of pairs of edges meet in a few places, where many superset edges begin and end.
 Pair turned_spirals() {
   const Polygon spiral = square_spiral(40);
@@ -197,6 +202,7 @@ const std::map<std::string, std::function<Pair()>> region_cases{
     {"region_of_coasts", coasts},
     {"region_of_key", key_in_slot},
     {"region_of_combs", uneven_combs},
+    {"region_of_crossed_combs", crossed_combs},
     {"region_of_keyholes", keyholes},
     {"region_of_turned_combs", turned_combs},
     {"region_of_turned_spirals", turned_spirals},
