@@ -134,12 +134,18 @@ class Builder {
     }
   }
 
-  // Makes up to four children, two on each side of the cut.
+  // Makes up to four children: all edges, or two on each side of the cut.
   void split(std::uint32_t block, std::uint32_t lane, const Range& range, Index cut) {
     const auto below = static_cast<std::uint32_t>(tree_.blocks.size());
     tree_.blocks[block].below[lane] = below;
     add_block();
     std::uint32_t child = 0;
+    if (range.size() <= ChordTree::width) {
+      for (Index k = range.first; k < range.last; ++k) {
+        put(below, child++, {k, k + 1});
+      }
+      return;
+    }
     const auto put_half = [&](const Range& half) {
       if (half.size() == 1) {
         put(below, child++, half);
