@@ -273,10 +273,18 @@ bool CoveredCells::hold(const Box& box) const {
   }
   const std::uint32_t from = cell((box.x0 - origin_.x) * cells_a_unit_.x);
   const std::uint32_t to = cell((box.x1 - origin_.x) * cells_a_unit_.x) + 1;
+  const std::uint32_t first = cell((box.y0 - origin_.y) * cells_a_unit_.y);
   const std::uint32_t last = cell((box.y1 - origin_.y) * cells_a_unit_.y);
-  for (std::uint32_t row = cell((box.y0 - origin_.y) * cells_a_unit_.y); row <= last; ++row) {
-    if (!for_each_word(&bits_[std::size_t{row} * words_], from, to,
-                       [](Word word, Word mask) { return (word & mask) == mask; })) {
+  const auto hold_row = [&](std::uint32_t row) {
+    return for_each_word(&bits_[std::size_t{row} * words_], from, to,
+                         [](Word word, Word mask) { return (word & mask) == mask; });
+  };
+  // Those at the ends are the least likely ones.
+  if (!hold_row(last)) {
+    return false;
+  }
+  for (std::uint32_t row = first; row < last; ++row) {
+    if (!hold_row(row)) {
       return false;
     }
   }

@@ -108,17 +108,20 @@ class Rasteriser {
              : y >= high.y ? high.x
                            : std::min(std::max(low.x + (y - low.y) * slope, left), right);
     };
+    const bool is_slanted = left < right && low.y < high.y;
+    std::uint32_t first_column = column(left - margin_);
+    std::uint32_t last_column = column(right + margin_);
     const std::uint32_t last = row(high.y + margin_);
     for (std::uint32_t k = row(low.y - margin_); k <= last; ++k) {
       Word* const touched = &touched_[std::size_t{k} * words_];
       const double y = k * size_.y;
-      double from = left;
-      double to = right;
-      if (low.y != high.y) {
-        from = x_at(y - margin_);
-        to = x_at(y + size_.y + margin_);
+      if (is_slanted) {
+        const double from = x_at(y - margin_);
+        const double to = x_at(y + size_.y + margin_);
+        first_column = column(std::min(from, to) - margin_);
+        last_column = column(std::max(from, to) + margin_);
       }
-      set(touched, column(std::min(from, to) - margin_), column(std::max(from, to) + margin_) + 1);
+      set(touched, first_column, last_column + 1);
       const double middle = y + size_.y / 2;
       if (low.y <= middle && middle < high.y) {
         const std::uint32_t c = column(x_at(middle));
