@@ -48,7 +48,7 @@ class BestFree {
 
   void segment(const PlacesOnLine& places, const Place& from, const Place& to) {
     if (wanted_.fits) {
-      best().take(places, from, to);
+      best().take_fit(places, from, to);
     }
   }
   void point(const PlacesOnLine& places, const Place& place) { segment(places, place, place); }
@@ -167,6 +167,9 @@ class NearestFree : public BestFree<NearestFree> {
       compare(places, ExactPoint::of_crossing(s, across), line, {nearest, nearest}, std::nullopt);
     }
   }
+  void take_fit(const PlacesOnLine& places, const Place& from, const Place& to) {
+    take(places, from, to);
+  }
   // -1 if p is nearer than q.
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {
     return compare_distances(p, q, from_, tally_);
@@ -197,24 +200,40 @@ constexpr std::uint64_t steps_a_poll = 1U << 12;
 class FurthestFree : public BestFree<FurthestFree> {
  public:
   FurthestFree(const Operands& operands, const WantedParts& wanted, EdgeCover& cover,
-               const NearestEdges& edges, const Point& direction, Tally& tally)
-      : BestFree(operands, wanted, cover, edges, infinity, tally), direction_(direction) {}
+               const NearestEdges& edges, const Point& direction,
+               const FreePlaceSearch::IsWanted& is_fit_wanted, Tally& tally)
+      : BestFree(operands, wanted, cover, edges, infinity, tally),
+        direction_(direction),
+        is_fit_wanted_(is_fit_wanted) {}
 
   // On edges that do not lead on, all others are less far.
   Place ring(const PlacesOnLine& places, const Place& from) {
-    take(places, from, from);
+    take(places, from);
     return places.end();
   }
-  void take(const PlacesOnLine& places, const Place& from, const Place& /*to*/) {
+  // Its first place, if that is wanted; else the last one.
+  void take_fit(const PlacesOnLine& places, const Place& from, const Place& to) {
     const RelativeLine line = relative_line(places);
-    compare(places, exact_point(places.line().at, from), line, parameters_of(line, from), from);
+    for (const Place& place : {from, to}) {
+      if (!(distance_at(line, parameters_of(line, place)).lo > reach()) &&
+          is_fit_wanted_(exact_point(places.line().at, place))) {
+        take(places, place);
+        return;
+      }
+    }
   }
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {
     return -compare_along(direction_, p, q, tally_);
   }
 
  private:
+  void take(const PlacesOnLine& places, const Place& place) {
+    const RelativeLine line = relative_line(places);
+    compare(places, exact_point(places.line().at, place), line, parameters_of(line, place), place);
+  }
+
   const Point direction_;
+  const FreePlaceSearch::IsWanted& is_fit_wanted_;
 };
 
 }  // namespace
@@ -275,10 +294,11 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeB
 // The furthest place of a ring, the lexicographically smallest of several, begins an edge that
 // leads back, or neither on nor back and to lexicographically larger ones. So do segments, for one
 // of two opposite directions.
-std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, Task& task,
+std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction,
+                                                   const IsWanted& is_fit_wanted, Task& task,
                                                    std::uint64_t step) {
   nearest_edges_.set_goal(Goal::far(direction));
-  FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, tally_);
+  FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, is_fit_wanted, tally_);
   known_.clear();
   const auto leads_on = [&](const PairEdge& s) {
     const auto [from, to] = operands_.source(s);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -44,9 +45,11 @@ class FreePlaceSearch {
                                    std::uint64_t step);
   // The same, where the boundary is known: with holes and fits if these are wanted.
   std::optional<FreePlace> nearest(const Point& from, const FreeBoundary& boundary);
+  using IsWanted = std::function<bool(const ExactPoint&)>;
   // The furthest one in a direction, of several the lexicographically smallest. The free set must
-  // be bounded in it. Throws Error: cancelled, internal.
-  std::optional<FreePlace> furthest(const Point& direction, Task& task, std::uint64_t step);
+  // be bounded in it. Of fits, it is one that is wanted. Throws Error: cancelled, internal.
+  std::optional<FreePlace> furthest(const Point& direction, const IsWanted& is_fit_wanted,
+                                    Task& task, std::uint64_t step);
 
   // How many edges and pairs of nodes the last search for a nearest place looked at, and how many
   // visits it took to find witnesses.

@@ -48,10 +48,20 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   const JoinedSolids solids = join_solids(scene_, query_, reflected_, std::nullopt);
   const Operands operands{*solids.boundary, reflected_,
                           merge_directions(*solids.boundary, reflected_, tally)};
-  FreePlaceSearch search(operands, wanted_, tally);
-  const std::optional<FreePlace> place = search.furthest(direction, task, 1);
-  return place ? std::optional(usable_along(place->point, search.ways_off(*place), tally))
-               : std::nullopt;
+  const auto furthest_of = [&](const FreePlaceSearch::IsWanted& is_fit_wanted) {
+    FreePlaceSearch search(operands, wanted_, tally);
+    const std::optional<FreePlace> place = search.furthest(direction, is_fit_wanted, task, 1);
+    return place ? std::optional(usable_along(place->point, search.ways_off(*place), tally))
+                 : std::nullopt;
+  };
+  // Fits that no doubles show are passed over. Where nothing else is free, they count.
+  bool are_all_shown = true;
+  const std::optional<UsablePosition> shown = furthest_of([&](const ExactPoint& fit) {
+    const bool is_shown = usable(fit, tally).relation != Relation::overlapping;
+    are_all_shown = are_all_shown && is_shown;
+    return is_shown;
+  });
+  return shown || are_all_shown ? shown : furthest_of([](const ExactPoint&) { return true; });
 }
 
 }  // namespace gcv

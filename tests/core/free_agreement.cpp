@@ -96,6 +96,31 @@ std::string best_difference(const RelationAt& relation_at, const Point& got, con
                  : distant_position_difference(relation_at, got, wanted, counts);
 }
 
+// The furthest point, of several the lexicographically smallest; of fits, those alone that doubles
+// show, if there is a relation.
+std::optional<Exact> furthest(const ExactParts& whole, const Point& direction,
+                              const std::optional<RelationAt>& relation_at, FreeCounts& counts) {
+  const auto is_shown = [&](const Exact& p) {
+    ContactCounts none;
+    return !position_difference(*relation_at, invariants::nearest(p).data(), reference::overlapping,
+                                p, none)
+                .empty();
+  };
+  std::optional<Exact> found;
+  for (const ExactPart& part : whole) {
+    const bool is_fit = part.kind >= GCV_PART_SEGMENT;
+    for (const Exact& p : part.points) {
+      const int order = found ? sign(dot(exact(direction), p - *found)) : 1;
+      const bool is_further = order > 0 || (order == 0 && p < *found);
+      counts.ties += order == 0 && !(p == *found) ? 1 : 0;
+      if (is_further && (!is_fit || !relation_at || is_shown(p))) {
+        found = p;
+      }
+    }
+  }
+  return found;
+}
+
 // The point of the segment that is nearest.
 Exact nearest_on(const Exact& p, const Exact& q, const Exact& x) {
   const Exact d = q - p;
@@ -249,16 +274,9 @@ Messages check_best(const FreeQuestion& question, const ExactParts& whole, const
   const RelationAt relation_at = relation_in(solids, question.moving);
   Messages messages;
   for (const Point& direction : directions) {
-    std::optional<Exact> wanted;
-    for (const ExactPart& part : whole) {
-      for (const Exact& p : part.points) {
-        const int order = wanted ? sign(dot(exact(direction), p - *wanted)) : 1;
-        counts.ties += order == 0 && !(p == *wanted) ? 1 : 0;
-        if (order > 0 || (order == 0 && p < *wanted)) {
-          wanted = p;
-        }
-      }
-    }
+    const std::optional<Exact> shown = furthest(whole, direction, relation_at, counts);
+    const std::optional<Exact> wanted =
+        shown ? shown : furthest(whole, direction, std::nullopt, counts);
     Point got{77, 77};
     std::int32_t found = 77;
     require(gcv_scene_best(question.scene.handle, question.moving.handle, direction.data(),

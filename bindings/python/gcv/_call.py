@@ -20,7 +20,7 @@ Progress = Callable[[int, int], object]
 _T = TypeVar("_T")
 
 # The superset has in the order of n m edges at most: below this, no call is long.
-_SHORT = 1 << 16
+SHORT = 1 << 16
 _SECONDS_BETWEEN_REPORTS = 0.1
 
 
@@ -40,7 +40,7 @@ def run(
     instructions: not while that thread computes. So it waits here, and another thread
     computes. Whatever exception ends the waiting cancels the call.
     """
-    short = pairs <= _SHORT or threading.current_thread() is not threading.main_thread()
+    short = pairs <= SHORT or threading.current_thread() is not threading.main_thread()
     if progress is None and short:
         return call(_options(rounding, tolerance, threads, leave_out))
     from concurrent.futures import ThreadPoolExecutor, wait

@@ -9,14 +9,14 @@ from ctypes import c_uint64
 from typing import Any, Optional, SupportsFloat
 
 from . import _ffi, _structs
-from ._call import Progress
+from ._call import SHORT, Progress
 from ._contacts import Contact
 from ._coordinates import number, pair
 from ._many import vertices
-from ._polygon import as_polygon
+from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
 from ._sources import PolygonLike
-from ._two_polygons import ask
+from ._two_polygons import VERTICES_A_PAIR, ask, distance_in
 
 _NOT_THERE = 2**64 - 1
 """The index of a contact that was not in the earlier list."""
@@ -105,6 +105,12 @@ def contacts(
     handle = _ffi.ContactList()
     ask(
         lambda options: _ffi.contacts(a._handle, b._handle, point, *limits, options, handle),
-        *(vertices(a) + vertices(b), threads, progress),
+        *(_pairs_within(limits[0], a, b), threads, progress),
     )
     return contact_list(handle)
+
+
+def _pairs_within(distance: float, a: Polygon, b: Polygon) -> int:
+    """A guess of how many pairs of vertices are near: all, for distances like the sizes."""
+    along, of_all = (vertices(a) + vertices(b)) // VERTICES_A_PAIR, vertices(a) * vertices(b)
+    return along if of_all <= SHORT else along + int(of_all * min(1, distance_in(b, distance)))

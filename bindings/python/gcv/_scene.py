@@ -20,6 +20,7 @@ from ._record_list import RecordList
 from ._scene_places import Places
 from ._scene_questions import NEIGHBOURS, query_of
 from ._sources import PolygonLike
+from ._two_polygons import distance_in
 from ._whole_numbers import WholeNumbers
 
 _Handle = TypeVar("_Handle", _ffi.PairList, _ffi.ContactList)
@@ -131,7 +132,7 @@ class Scene(Places):
             lambda options: _ffi.scene_pairs(
                 *(self._handle, earlier, limit, query, options, byref(handle))
             ),
-            *(self._vertices_of_pairs(), threads, progress),
+            *(self._vertices_of_pairs(limit), threads, progress),
         )
         return pair_list(handle)
 
@@ -170,7 +171,7 @@ class Scene(Places):
             lambda options: _ffi.scene_contacts(
                 *(self._handle, earlier, *limits, query, options, byref(handle))
             ),
-            *(self._vertices_of_pairs(), threads, progress),
+            *(self._vertices_of_pairs(limits[0]), threads, progress),
         )
         return contact_list(handle)
 
@@ -207,9 +208,12 @@ class Scene(Places):
         ground = [] if container is None else placed(container, (0, 0))
         return ground, [placed(*member) for member in zip(polygons, places)]
 
-    def _vertices_of_pairs(self) -> int:
-        """A guess of the vertices of all pairs that are near."""
-        return self._container_vertices() + 2 * NEIGHBOURS * self._vertices
+    def _vertices_of_pairs(self, distance: float) -> int:
+        """A guess of the vertices of all pairs that are near: within a distance, perhaps all."""
+        member = next(iter(self._polygons.values()), None)
+        reach = 0.0 if member is None else min(distance_in(member, distance), 1e3)
+        near = min(int(2 * NEIGHBOURS * (1 + reach) ** 2), max(len(self), 2 * NEIGHBOURS))
+        return self._container_vertices() + near * self._vertices
 
 
 def _handle_of(

@@ -98,8 +98,10 @@ class Places(Questions):
         Which position is the furthest is decided exactly. It is returned in floats, and the
         polygon overlaps nothing there: within 2 ulps of the exact one where such a position
         is free, otherwise the nearest one found on the way into what is free around, within
-        2^20 ulps. Where there is no such way, as for exact fits between slanted edges, it is
-        the one nearest to the exact position, where relation tells OVERLAPPING.
+        2^20 ulps. An exact fit that no floats within 2 ulps show, as between slanted edges,
+        or between decimal fractions, is passed over, for the position that is furthest else.
+        Where nothing else is free, it is the one nearest to the exact position, where
+        relation tells OVERLAPPING.
 
         Takes as long as the superset edges that reach further. The other arguments and the
         errors are those of free_region, with direction in place of the window.
@@ -174,6 +176,7 @@ class Places(Questions):
             {"positions": positions},
             query=(layers, ignore),
             options=(threads, progress, leave_out),
+            passes_all=True,
         )
 
     def _search(

@@ -215,20 +215,23 @@ class Questions(Members):
         vectors: dict[str, Any],
         query: tuple[Optional[SupportsIndex], WholeNumbers],
         options: tuple[Any, ...],
+        passes_all: bool = False,
     ) -> Any:
         """What the function gives, of that C type, for the vectors by their names.
 
         A record where each of the vectors is one; otherwise an array. The options are those
-        of _ask.
+        of _ask. passes_all: may it visit all members, and pairs of vertices with them?
         """
         polygon, members = as_polygon(moving, "moving"), query_of(*query)
         arguments, count, is_one = read_vectors(vectors)
         out = (kind * count)()
+        own = vertices(polygon)
+        visited = own * self._vertices if passes_all else self._vertices_near(own)
         self._ask(
             lambda known: function(
                 *(self._handle, polygon._handle, *arguments, count, members, known, out)
             ),
-            *(count * self._vertices_near(vertices(polygon)), *options),
+            *(count * visited, *options),
         )
         return record(out) if is_one else records(out)
 

@@ -13,7 +13,7 @@ from ._call import LeaveOut, Progress, run
 from ._contacts import Escape, Impact, Relation, Separation, record, records
 from ._coordinates import point_or_points, size
 from ._many import vertices
-from ._polygon import as_polygon
+from ._polygon import Polygon, as_polygon
 from ._sources import PolygonLike, Vector, Vectors
 
 if TYPE_CHECKING:
@@ -234,10 +234,12 @@ def penetration(
     The way is the exact one; the depth is correctly rounded, in input units. The other
     arguments and the errors are those of distance.
     """
+    a, b = as_polygon(a, "a"), as_polygon(b, "b")
     return _answer(
         *(_ffi.penetration, _structs.Escape, a, b),
         {"translation": translation},
         options=(threads, progress, leave_out),
+        visited=vertices(a) * vertices(b),  # the way out of a deep overlap passes most of them
     )
 
 
@@ -248,18 +250,19 @@ def _answer(
     b: PolygonLike,
     vectors: dict[str, Any],
     options: tuple[Any, ...],
+    visited: int = 0,
 ) -> Any:
     """What the function gives, of that C type, for the vectors by their names.
 
     A record where each of the vectors is one; otherwise an array. The options are those of
-    ask.
+    ask. visited: how many pairs of vertices a long search visits, if that is more than usual.
     """
     a, b = as_polygon(a, "a"), as_polygon(b, "b")
     arguments, count, is_one = read_vectors(vectors)
     out = (kind * count)()
     ask(
         lambda known: function(a._handle, b._handle, *arguments, count, known, out),
-        *(count * (vertices(a) + vertices(b)), *options),
+        *(count * max(visited, (vertices(a) + vertices(b)) // VERTICES_A_PAIR), *options),
     )
     return record(out) if is_one else records(out)
 
@@ -279,18 +282,23 @@ def read_vectors(vectors: dict[str, Any]) -> tuple[list[bytes], int, bool]:
     return doubles, count, not counts
 
 
+def distance_in(polygon: Polygon, distance: float) -> float:
+    """A distance in sizes of the polygon, from 0 on; 0 for what is no distance."""
+    x0, y0, x1, y1 = polygon.bounds
+    return max(0.0, distance / max(x1 - x0, y1 - y0))
+
+
 def ask(
     call: Callable[[Any], Any],
-    moved_vertices: int,
+    pairs: int,
     threads: int,
     progress: Optional[Progress],
     leave_out: LeaveOut = (),
 ) -> None:
     """As run does call(options); messages name the arguments as they are called here.
 
-    moved_vertices is the number of translations times that of vertices.
+    pairs is a guess of how many pairs of vertices are visited.
     """
-    pairs = moved_vertices // VERTICES_A_PAIR
     try:
         run(call, pairs, "nearest", 0.0, threads, progress, leave_out)
     except _ffi.Error as error:

@@ -24,6 +24,8 @@ LARGE = star(60000, 1)
 OTHER = star(60000, 2)
 MANY = [LARGE] * 20
 OTHERS = [OTHER] * 20
+BRICKS = gcv.Scene()
+BRICKS.add([SQUARE] * 1500, [(3 * (k % 40), 3 * (k // 40)) for k in range(1500)])
 MOVES = np.random.default_rng(1).uniform(-2, 2, (100000, 2))
 CALLS: list[Callable[[], object]] = [
     lambda: LARGE + OTHER,
@@ -42,6 +44,10 @@ CALLS: list[Callable[[], object]] = [
     lambda: gcv.relation(LARGE, OTHER, MOVES),
     lambda: gcv.distance(LARGE, OTHER, MOVES, threads=2),
     lambda: gcv.penetration(LARGE, OTHER, MOVES),
+    lambda: gcv.penetration(LARGE, OTHER),
+    lambda: gcv.contacts(LARGE, OTHER, (0, 0), 1000),
+    lambda: BRICKS.contacts(1000),
+    lambda: BRICKS.pairs(1000),
     lambda: gcv.cast(LARGE, OTHER, MOVES, (1, 0)),
 ]
 
