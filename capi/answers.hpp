@@ -86,4 +86,12 @@ inline void require_finite(const Point& position, const char* name, std::size_t 
   }
 }
 
+// Throws Error: range, where the depth is beyond the largest double.
+inline void require_finite_depth(double depth, const char* name, std::size_t number) {
+  if (!std::isfinite(depth)) {
+    throw Error(Status::range, "%s: number %zu: the depth is beyond the largest double", name,
+                number);
+  }
+}
+
 }  // namespace gcv::capi

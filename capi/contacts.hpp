@@ -19,9 +19,10 @@ namespace gcv::capi {
 // `count` vectors of the caller: x0 y0 x1 y1 ...
 class Vectors {
  public:
-  // Throws Error: not_finite, with the name and the number of the vector; as require_count().
-  Vectors(const double* xy, std::size_t count, const char* name) : xy_(xy) {
-    require_count(count, sizeof(Point), name);
+  // `result`: the size of what there will be for each. Throws Error: not_finite, with the name and
+  // the number of the vector; as require_count().
+  Vectors(const double* xy, std::size_t count, const char* name, std::size_t result = 0) : xy_(xy) {
+    require_count(count, std::max(sizeof(Point), result), name);
     for (std::size_t k = 0; k < count; ++k) {
       const Point p = (*this)[k];
       if (!std::isfinite(p.x) || !std::isfinite(p.y)) {

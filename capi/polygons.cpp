@@ -211,6 +211,7 @@ gcv_status gcv_polygon_create_wkt(const char* text, size_t length, gcv_polygon**
   return guarded([&] {
     require(text, "text");
     require(out, "out");
+    require_count(length, 1, "length");
     *out = new_polygon(
         make_polygon(gcv::parse_polygon(std::string_view(text, length), "polygon"), "polygon"));
   });

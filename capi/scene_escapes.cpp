@@ -31,6 +31,7 @@ using gcv::Task;
 using gcv::capi::guarded;
 using gcv::capi::require;
 using gcv::capi::require_finite;
+using gcv::capi::require_finite_depth;
 
 Point read_direction(const double direction[2]) {
   const Point result = gcv::finite_point({direction[0], direction[1]}, "direction");
@@ -87,7 +88,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     }
     require(positions, "positions");
     require(out, "out");
-    const gcv::capi::Vectors all(positions, count, "positions");
+    const gcv::capi::Vectors all(positions, count, "positions", sizeof *out);
     const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
     const std::size_t block = gcv::capi::long_block(count, known);
@@ -98,7 +99,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
         require_finite(place.position, "positions", k);
         require_finite(contact, "positions", k);
         if (id != 0) {
-          require_finite(Point{depth, 0}, "positions", k);
+          require_finite_depth(depth, "positions", k);
         }
         return gcv_escape{depth,
                           {way.x, way.y},

@@ -91,7 +91,7 @@ void give_answers(const Question& question, Result* out, Answer answer) {
   }
   require(question.positions, "positions");
   require(out, "out");
-  const Vectors positions(question.positions, question.count, "positions");
+  const Vectors positions(question.positions, question.count, "positions", sizeof *out);
   const gcv::Boundary& moving = question.moving->polygon->boundary();
   const SceneQuestions questions(question.scene->scene, query, moving);
   give_all(question.count, translations_a_report(moving.size(), moving.size()), options, out,
@@ -136,7 +136,7 @@ gcv_status gcv_scene_cast(const gcv_scene* scene, const gcv_polygon* moving,
     if (count != 0) {
       require(motions, "motions");
     }
-    const Vectors all_motions(motions, count, "motions");
+    const Vectors all_motions(motions, count, "motions", sizeof *out);
     give_answers(
         Question{scene, moving, positions, count, query, options}, out,
         [&](const SceneQuestions& questions, const Point& position, std::size_t k, Tally& tally) {

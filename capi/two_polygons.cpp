@@ -32,6 +32,7 @@ using gcv::capi::read_options;
 using gcv::capi::refuse_tolerance;
 using gcv::capi::require;
 using gcv::capi::require_finite;
+using gcv::capi::require_finite_depth;
 using gcv::capi::translations_a_report;
 using gcv::capi::Vectors;
 using gcv::capi::wanted_parts;
@@ -72,7 +73,7 @@ std::optional<Asked> checked(const PairQuestion& question, const Result* out) {
   }
   require(question.translations, "translations");
   require(out, "out");
-  const Vectors translations(question.translations, question.count, "translations");
+  const Vectors translations(question.translations, question.count, "translations", sizeof *out);
   return Asked{PolygonPair(*question.a->polygon, *question.b->polygon), translations, options};
 }
 
@@ -123,7 +124,7 @@ gcv_status gcv_cast(const gcv_polygon* a, const gcv_polygon* b, const double* tr
     if (count != 0) {
       require(motions, "motions");
     }
-    const Vectors all_motions(motions, count, "motions");
+    const Vectors all_motions(motions, count, "motions", sizeof *out);
     give_answers(PairQuestion{a, b, translations, count, options}, out,
                  [&](const PlacedPair& placed, std::size_t k, Tally& tally) {
                    const auto [hit, time, place, contact] = cast(placed, all_motions[k], tally);
@@ -161,7 +162,7 @@ gcv_status gcv_penetration(const gcv_polygon* a, const gcv_polygon* b, const dou
                      search.find(PlacedPair(asked->pair, asked->translations[k]), progress);
                  require_finite(place.position, "translations", k);
                  require_finite(contact, "translations", k);
-                 require_finite(Point{depth, 0}, "translations", k);
+                 require_finite_depth(depth, "translations", k);
                  return gcv_escape{depth,
                                    {way.x, way.y},
                                    {place.position.x, place.position.y},

@@ -46,7 +46,7 @@ void check(const Disc& disc) {
                 disc.tolerance);
   }
   if (!std::isfinite(std::max(std::abs(x), std::abs(y)) + 4 * disc.radius)) {
-    throw Error(Status::range, "disc: radius %g at (%g, %g) is beyond the largest double",
+    throw Error(Status::range, "disc: radius %g at (%g, %g) is too near the largest double",
                 disc.radius, x, y);
   }
 }

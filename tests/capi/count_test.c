@@ -37,6 +37,42 @@ static void of_pairs(size_t count) {
   gcv_polygon_destroy(square);
 }
 
+/* Arrays of translations could be so long, arrays of results could not. */
+static void of_results(void) {
+  gcv_polygon *square = SQUARE(2);
+  gcv_scene *scene = NULL;
+  gcv_separation separation;
+  gcv_impact impact;
+  gcv_escape escape;
+  const size_t separations = PTRDIFF_MAX / sizeof separation + 1;
+  const size_t impacts = PTRDIFF_MAX / sizeof impact + 1;
+  const size_t escapes = PTRDIFF_MAX / sizeof escape + 1;
+  CHECK_OK(gcv_scene_create(&scene));
+  separation.distance = impact.time = escape.depth = 77;
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "translations",
+                gcv_distance(square, square, good, separations, NULL, &separation));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "array",
+                gcv_cast(square, square, good, good, impacts, NULL, &impact));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "translations",
+                gcv_penetration(square, square, good, escapes, NULL, &escape));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "positions",
+                gcv_scene_distance(scene, square, good, separations, NULL, NULL, &separation));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "array",
+                gcv_scene_cast(scene, square, good, good, impacts, NULL, NULL, &impact));
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "positions",
+                gcv_scene_penetration(scene, square, good, escapes, NULL, NULL, &escape));
+  CHECK(separation.distance == 77 && impact.time == 77 && escape.depth == 77);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(square);
+}
+
+static void of_text(size_t length) {
+  gcv_polygon *polygon = NULL;
+  CHECK_REFUSED(GCV_ERR_INVALID_ARGUMENT, "length",
+                gcv_polygon_create_wkt("POLYGON ((0 0, 1 0, 0 1))", length, &polygon));
+  CHECK(polygon == NULL);
+}
+
 static void of_points(size_t count) {
   gcv_polygon *square = SQUARE(2);
   gcv_region *region = NULL;
@@ -104,10 +140,12 @@ int main(void) {
   size_t k;
   for (k = 0; k < sizeof counts / sizeof *counts; ++k) {
     of_polygons(counts[k]);
+    of_text(counts[k] | ((size_t)PTRDIFF_MAX + 1));
     of_pairs(counts[k]);
     of_points(counts[k]);
     of_translations(counts[k]);
     of_scenes(counts[k]);
   }
+  of_results();
   return check_failures != 0;
 }

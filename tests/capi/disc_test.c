@@ -193,9 +193,9 @@ static void refusals(void) {
     is_refused(GCV_ERR_INVALID_ARGUMENT, "too small for doubles", 1e308, 0, 1, 1e-3, r);
     /* Where the vertices of so many would fall together, which is said before they are made. */
     is_refused(GCV_ERR_INVALID_ARGUMENT, "too small for doubles", 0x1p60, 0, 700, 0x1.0004p9, r);
-    is_refused(GCV_ERR_RANGE, "beyond the largest double", 0, 0, DBL_MAX, 1, r);
-    is_refused(GCV_ERR_RANGE, "beyond the largest double", DBL_MAX, 0, DBL_MAX, 1e300, r);
-    is_refused(GCV_ERR_RANGE, "beyond the largest double", 0, -DBL_MAX, 1e307, 1e300, r);
+    is_refused(GCV_ERR_RANGE, "too near the largest double", 0, 0, DBL_MAX, 1, r);
+    is_refused(GCV_ERR_RANGE, "too near the largest double", DBL_MAX, 0, DBL_MAX, 1e300, r);
+    is_refused(GCV_ERR_RANGE, "too near the largest double", 0, -DBL_MAX, 1e307, 1e300, r);
   }
 }
 

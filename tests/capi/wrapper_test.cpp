@@ -107,10 +107,16 @@ static void polygons() {
 
   auto many = gcv::polygons(rings, std::vector<std::size_t>{4, 3});
   CHECK(std::move(many).value()[1].area() == 0.5);
-  auto failing = gcv::polygons(rings, std::vector<std::size_t>{3, 2});
+  auto failing = gcv::polygons(View<Point>(rings.data(), 5), std::vector<std::size_t>{3, 2});
   CHECK(failing.statuses[0] == GCV_OK && failing.statuses[1] == GCV_ERR_DEGENERATE);
   CHECK(failing.results[0].area() == 40.5 && failing.results[1].get() == nullptr);
   CHECK_THROWS(GCV_ERR_DEGENERATE, "polygon 1: ", std::move(failing).value());
+
+  for (const std::vector<std::size_t>& sizes :
+       {std::vector<std::size_t>{4, 2}, {4, 4}, {7, SIZE_MAX}, {SIZE_MAX, 8}}) {
+    CHECK_THROWS(GCV_ERR_INVALID_ARGUMENT, "do not add up to 7", Polygon::of_rings(rings, sizes));
+    CHECK_THROWS(GCV_ERR_INVALID_ARGUMENT, "do not add up to 7", gcv::polygons(rings, sizes));
+  }
 }
 
 static void outer_faces() {

@@ -39,7 +39,8 @@
  * Errors. Functions that can fail return a gcv_status. A function that fails writes
  * nothing to its outputs, except *required of the buffer functions. Nothing aborts,
  * throws, prints, or keeps global state. A count that no array can have is
- * GCV_ERR_INVALID_ARGUMENT.
+ * GCV_ERR_INVALID_ARGUMENT. With count 0 no array is read or written; questions about
+ * polygons, regions and scenes check handles, options and queries all the same.
  *
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
@@ -147,7 +148,8 @@ GCV_API const char *gcv_status_name(gcv_status status);
  * numbers, and the value. Made for people: programs should test the status.
  *
  * @return never NULL; "" before the first failure. Valid, and unchanged by calls
- *         that succeed, until the next failure on this thread. @since 0.1
+ *         that succeed, until the next failure on this thread. The functions for many
+ *         succeed where one of many fails, and have its message. @since 0.1
  */
 GCV_API const char *gcv_last_error_message(void);
 
@@ -219,7 +221,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_wkt(const char *text, size_t
  * @return as gcv_polygon_create, with GCV_ERR_NULL_ARGUMENT for ring_sizes too. The message
  *         names the ring. GCV_ERR_NOT_SIMPLE also for rings that cross, overlap, or lie
  *         where they may not; the message names the rings and the edges.
- *         Of collinear edges of a ring, which are checked as one, the first along the ring.
+ *         Of collinear edges of a ring, which are checked as one, the first along the
+ *         normalised ring: counter-clockwise, holes clockwise.
  * Exactness: all checks are exact. Cost: O(n log n) where the boxes of few edges overlap.
  * Threads: any. @since 0.2
  */
@@ -267,8 +270,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_many(const double *xy, const
  * @param out        the new polygon, the caller's.
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_NOT_FINITE for the centre or the radius;
  *         GCV_ERR_INVALID_ARGUMENT for a radius or a tolerance that is not above 0, a
- *         tolerance too small for doubles, or the rounding; GCV_ERR_RANGE where coordinates
- *         are near the largest double; GCV_ERR_NO_MEMORY.
+ *         tolerance too small for doubles, or the rounding; GCV_ERR_RANGE where a coordinate
+ *         of the centre and four radii add up to more than the largest double;
+ *         GCV_ERR_NO_MEMORY.
  * Exactness: the tolerance and the containment are certified by exact arithmetic.
  * Cost: O(vertices). About 1.6 sqrt(radius / tolerance) of them are needed, or 2.2 for
  * GCV_ROUND_OUTWARD; there are 4, 8, 16, ... Threads: any. @since 0.2
@@ -343,13 +347,13 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_vertices(const gcv_polygon *polygon
                                                       size_t capacity, size_t *required);
 
 /**
- * The area of the polygon, without its holes, in square units, above 0. Version 0.1 had no
- * holes to subtract.
+ * The area of the polygon, without its holes, in square units. Version 0.1 had no holes to
+ * subtract.
  *
  * @return GCV_OK; GCV_ERR_NULL_ARGUMENT; GCV_ERR_RANGE where the area is larger
  *         than any finite double.
- * Exactness: correctly rounded, to nearest, ties to even; 0 where the area is
- * below half the smallest double. Cost: O(n). Threads: any. @since 0.1
+ * Exactness: correctly rounded, to nearest, ties to even; 0 where the area is at
+ * most half the smallest double. Cost: O(n). Threads: any. @since 0.1
  */
 GCV_API GCV_NODISCARD gcv_status gcv_polygon_area(const gcv_polygon *polygon, double *out);
 
@@ -403,8 +407,8 @@ typedef struct gcv_options {
    *  ways out of overlaps and for scenes. */
   double tolerance;
   /** The number of threads that work on the sum, the calling one included. 1 by
-   *  default; 0 for as many as the machine runs at once; above 256 counts as 256. The
-   *  result is the same, to the bit, for every number. */
+   *  default; 0 for as many as the machine runs at once; above 256 counts as 256; less
+   *  than 0 is no number. The result is the same, to the bit, for every number. */
   int32_t threads;
   /** Reports progress, or NULL. Called at the start, at the end, and in between at most
    *  every few thousand steps; now and then while polygons are prepared, too, with the
@@ -658,8 +662,11 @@ enum {
  * B, as `kind` says, in the caller's numbers: vertex k as passed, edge k from
  * vertex k to k+1. Merged collinear edges have the number of the first along the
  * normalised ring: counter-clockwise, holes clockwise. A vertex passed several times in
- * a row has its last number.
- * A closing vertex counts as vertex 0.
+ * a row has its last number. A closing vertex counts as the first one of its ring.
+ * In no-fit, entrance and inner-fit functions and in scenes, B is the reflection of the
+ * polygon that moves, with the numbers of that: of two merged edges, that of the polygon
+ * as passed has the opposite direction. Edges of a container have its solid, all that is
+ * outside, on their left: they run backwards.
  */
 typedef struct gcv_edge_source {
   int32_t kind;
@@ -1392,8 +1399,8 @@ typedef struct gcv_contact_list gcv_contact_list;
  * the edge. Two vertices: both are convex, and one of them is such a vertex for an edge of the
  * other. The gap of an edge and a vertex is the distance of the vertex from the edge, its ends
  * included; it is negative where the vertex lies on the solid side of the line of the edge. Of two
- * vertices it is their distance. Where two parallel edges face each other, these are the ends of
- * what they have in common.
+ * vertices it is their distance. Where two parallel edges face each other at the distance asked
+ * for, these are the ends of what they have in common; for larger distances there are more.
  *
  * With a slope s contacts are given too that a turn of one polygon by an angle of at most atan(s)
  * would admit: an edge of the vertex is off the other edge by no more. So faces that are parallel
@@ -1471,7 +1478,8 @@ typedef struct gcv_scene gcv_scene;
 
 /** Which members a question is about. @since 0.2 */
 typedef struct gcv_query {
-  /** sizeof(gcv_query) as the caller compiled it. */
+  /** sizeof(gcv_query) as the caller compiled it. As with options, a larger one is accepted if all
+   *  bytes that the library does not know are 0. */
   uint32_t struct_size;
   /** Members whose layers share a bit with these. The container is in every layer. With 0, there is
    *  neither. */
@@ -1677,7 +1685,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_best(const gcv_scene *scene, const gc
  * @param positions  x0 y0 x1 y1 ..., finite.
  * @param count      the number of positions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress, no tolerance; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_relation; GCV_ERR_INVALID_ARGUMENT for a query, too.
  * Exactness: exact. Cost: O(log n), and gcv_relation for each member whose box comes near.
@@ -1700,7 +1708,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_relation(const gcv_scene *scene,
  * @param positions  x0 y0 x1 y1 ..., finite.
  * @param count      the number of positions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress, no tolerance; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_scene_relation; GCV_ERR_RANGE where a result is beyond the largest double.
  * Exactness: as gcv_distance. Cost: O(log n), and gcv_distance for members whose boxes are as near.
@@ -1739,15 +1747,16 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_penetration(const gcv_scene *scene,
 /**
  * How far a polygon can move along a motion before it overlaps a member or the container: gcv_cast
  * to the first one that is hit. Its id is in id_a of the contact, also for an overlap at the start.
- * Of several that are hit at the same time, it is the one with the smallest id. Position and
- * relation are about the whole scene.
+ * Of several that are hit at the same time, it is the one with the smallest id, with its contact:
+ * at time 0 it may be touched, beside another one that is overlapped. Position and relation are
+ * about the whole scene.
  *
  * @param moving     the polygon.
  * @param positions  at the start: x0 y0 x1 y1 ..., finite.
  * @param motions    from each position to position + motion, finite.
  * @param count      the number of positions and of motions.
  * @param query      which members; or NULL for all.
- * @param options    threads and progress, no tolerance; or NULL for the defaults.
+ * @param options    threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out        room for `count` elements.
  * @return as gcv_scene_distance.
  * Exactness: as gcv_cast. Cost: gcv_cast for the members whose boxes the motion meets.
@@ -1779,7 +1788,7 @@ typedef struct gcv_pair_list gcv_pair_list;
  * @param position  finite.
  * @param distance  finite, not negative.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress, no tolerance; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out       the new list, the caller's.
  * @return as gcv_scene_relation; GCV_ERR_INVALID_ARGUMENT for a negative distance.
  * Exactness: exact. Cost: as gcv_scene_relation. Threads: any. @since 0.2
@@ -1798,7 +1807,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_near(const gcv_scene *scene, const gc
  *                  for none.
  * @param distance  finite, not negative.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress, no tolerance; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out       the new list, the caller's.
  * @return as gcv_scene_near; GCV_ERR_INVALID_ARGUMENT for a list of another scene or of
  *         gcv_scene_near.
@@ -1836,7 +1845,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_pair_list_pairs(const gcv_pair_list *list, 
  * @param distance  contacts whose |gap| is at most this are given: finite, not negative.
  * @param slope     as in gcv_contacts.
  * @param query     which members; or NULL for all.
- * @param options   threads and progress, no tolerance; or NULL for the defaults.
+ * @param options   threads and progress, no tolerance or holes left out; or NULL for the defaults.
  * @param out       the new list, the caller's: by |gap|, then id_a, id_b, kind, a, b.
  * @return as gcv_scene_pairs; GCV_ERR_RANGE where a result is beyond the largest double.
  * Exactness: as gcv_contacts. Cost: as gcv_scene_pairs, and gcv_contacts for each pair.

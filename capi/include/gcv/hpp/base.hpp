@@ -74,6 +74,21 @@ inline std::size_t as_many(const char* name, std::size_t count, const char* othe
   return count;
 }
 
+/** Throws where the sizes of parts do not add up to the number of vertices. */
+template <class Sizes>
+void require_all(std::size_t vertices, const Sizes& sizes) {
+  std::size_t left = vertices;
+  bool are_enough = true;
+  for (const std::size_t size : sizes) {
+    are_enough = are_enough && size <= left;
+    left -= are_enough ? size : 0;
+  }
+  if (!are_enough || left != 0) {
+    throw Error(GCV_ERR_INVALID_ARGUMENT,
+                "sizes: they do not add up to " + std::to_string(vertices) + " vertices");
+  }
+}
+
 /** Pointers to elements that can be read as those of an array of T. Objects of a class derived from
  *  T cannot: the next one is further away. */
 template <class Pointer, class T>

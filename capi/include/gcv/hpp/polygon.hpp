@@ -46,6 +46,7 @@ class Polygon {
   /** From the vertices of all rings, one ring after the other, and the sizes of these. */
   static Polygon of_rings(View<Point> vertices, View<std::size_t> sizes) {
     static const std::size_t none = 0;
+    detail::require_all(vertices.size(), sizes);
     return detail::made<Polygon>(gcv_polygon_create_rings, detail::doubles(vertices.data()),
                                  sizes.size() != 0 ? sizes.data() : &none, sizes.size(),
                                  sizeof(Point));
@@ -180,6 +181,7 @@ Many<T> many(std::size_t count, const Call& call) {
 
 /** Many polygons of one ring each: their vertices, one after the other, and their sizes. */
 inline Many<Polygon> polygons(View<Point> vertices, View<std::size_t> sizes) {
+  detail::require_all(vertices.size(), sizes);
   return detail::many<Polygon>(sizes.size(), [&](gcv_polygon** out, gcv_status* statuses) {
     detail::check(gcv_polygon_create_many(detail::doubles(vertices.data()), sizes.data(),
                                           sizes.size(), sizeof(Point), out, statuses));
