@@ -5,6 +5,10 @@
 
 namespace gcv {
 
+std::uint64_t first_long_search(const Operands& operands) {
+  return 2 * estimated_cover_steps(operands.a, operands.b);
+}
+
 // It may take less than is estimated.
 BoundaryTrial::BoundaryTrial(const Operands& operands)
     : next_(estimated_cover_steps(operands.a, operands.b) / 4) {}

@@ -14,8 +14,17 @@
 
 namespace gcv {
 
+// A search of so many steps is long: as a rule the boundary is found in the same time. It is begun
+// then, and if it is given up, a search of four times as many steps. Deep in spiky stars of 4000
+// vertices, and in combs of 400, the boundary takes a fifth of the time of one search.
+[[nodiscard]] std::uint64_t first_long_search(const Operands& operands);
+
 class BoundaryTrial {
  public:
+  // How many steps it may take where a search has taken so many: 10 times the time, for a step of
+  // it takes half of that of a search.
+  static constexpr std::uint64_t most_for(std::uint64_t steps) { return 20 * steps; }
+
   explicit BoundaryTrial(const Operands& operands);
 
   // May it be begun with so many steps to spend? Any thread may ask.

@@ -248,7 +248,8 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
 
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
-                                                  Task& task, std::uint64_t step) {
+                                                  Task& task, std::uint64_t step,
+                                                  std::uint64_t most_steps) {
   const std::uint64_t visits_before = cover_.search().visits();
   last_steps_ = outer_ring.size();
   const Point relative = operands_.relative_place(from);
@@ -261,6 +262,7 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
     best.take(places, places.place(start, start.arriving()), places.place(end, end.leaving()),
               true);
   }
+  const auto steps = [&] { return last_steps_ + cover_.search().visits() - visits_before; };
   if (wanted_.holes || wanted_.fits) {
     known_.clear();
     nearest_edges_.for_each(
@@ -271,13 +273,14 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
             task.poll();
           }
           task.advance(step);
+          return steps() <= most_steps;
         });
   }
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }
-  last_steps_ += cover_.search().visits() - visits_before;
-  return best.found();
+  last_steps_ = steps();
+  return last_steps_ <= most_steps ? best.found() : std::nullopt;
 }
 
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeBoundary& boundary) {
@@ -307,7 +310,11 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction,
   };
   nearest_edges_.for_each(
       best.reach(), [&](const PairEdge& s) { return leads_on(s) || known_.hold(s); },
-      [&](const PairEdge& s) { cover_.walk(s, best); }, [&] { task.advance(step); });
+      [&](const PairEdge& s) { cover_.walk(s, best); },
+      [&] {
+        task.advance(step);
+        return true;
+      });
   if (wanted_.fits) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }

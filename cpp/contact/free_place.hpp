@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -38,11 +39,11 @@ class FreePlaceSearch {
   // Each step of a search counts as `step` steps of the task.
   //
   // The nearest one to a point, of several the lexicographically smallest. Nothing if there is
-  // none, or none within that distance. Without holes, it is on this ring or a fit. Throws Error:
-  // cancelled, internal.
+  // none, or none within that distance. Without holes, it is on this ring or a fit. Nothing, too,
+  // where that takes more than `most_steps`. Throws Error: cancelled, internal.
   std::optional<FreePlace> nearest(const Point& from, double most,
                                    const std::vector<RingVertex>& outer_ring, Task& task,
-                                   std::uint64_t step);
+                                   std::uint64_t step, std::uint64_t most_steps = no_limit);
   // The same, where the boundary is known: with holes and fits if these are wanted.
   std::optional<FreePlace> nearest(const Point& from, const FreeBoundary& boundary);
   using IsWanted = std::function<bool(const ExactPoint&)>;
@@ -51,6 +52,7 @@ class FreePlaceSearch {
   std::optional<FreePlace> furthest(const Point& direction, const IsWanted& is_fit_wanted,
                                     Task& task, std::uint64_t step);
 
+  static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
   // How many edges and pairs of nodes the last search for a nearest place looked at, and how many
   // visits it took to find witnesses.
   [[nodiscard]] std::uint64_t last_steps() const { return last_steps_; }

@@ -2,7 +2,6 @@
 #include "penetration.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -14,12 +13,6 @@
 #include "relation.hpp"
 
 namespace gcv {
-
-namespace {
-
-constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
-
-}  // namespace
 
 Point way_to(const FreePlace& place, const Point& from, Tally& tally) {
   return nearest_point(place.point, negated(from), tally);
@@ -103,7 +96,7 @@ std::vector<RingVertex> WaysOut::walked_outer_ring(Task& task, Tally& tally) con
 
 std::uint64_t WaysOut::steps_to_spend() const {
   if (are_convex()) {
-    return no_limit;
+    return FreePlaceSearch::no_limit;
   }
   constexpr std::uint64_t fewest_searches = 2;  // one alone may be short
   const std::uint64_t searches = searches_;
@@ -112,15 +105,15 @@ std::uint64_t WaysOut::steps_to_spend() const {
              : steps_ / searches * (places_ - searches) / 2;
 }
 
-const FreeBoundary* WaysOut::boundary(Task& task) const {
+const FreeBoundary* WaysOut::boundary(Task& task, std::uint64_t steps) const {
   if (const FreeBoundary* const found = found_.load(std::memory_order_acquire)) {
     return found;
   }
-  if (!trial_.may_begin(steps_to_spend())) {
+  if (!trial_.may_begin(std::max(steps, steps_to_spend()))) {
     return nullptr;
   }
   const std::unique_lock<std::mutex> lock(mutex_, std::try_to_lock);
-  const std::uint64_t steps = steps_to_spend();
+  steps = std::max(steps, steps_to_spend());
   if (!lock.owns_lock() || boundary_ || !trial_.may_begin(steps)) {
     return found_.load(std::memory_order_acquire);
   }
@@ -146,13 +139,17 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     const ExactPoint start = ExactPoint::of_sum({from, {0, 0}});
     return {0, {0, 0}, usable_position(placed.pair, start, std::nullopt, tally_), {}};
   }
-  const FreeBoundary* const boundary = ways_.boundary(task);
-  const std::optional<FreePlace> place =
-      boundary != nullptr ? search_.nearest(from, *boundary)
-                          : search_.nearest(from, infinity, ways_.outer_ring(), task, 0);
-  ways_.add_search(search_.last_steps());
-  if (!place) {
-    throw Error(Status::internal, "no way out of an overlap");
+  std::optional<FreePlace> place;
+  const FreeBoundary* boundary = ways_.boundary(task);
+  for (std::uint64_t steps = first_long_search(ways_.operands()); !place; steps *= 4) {
+    place = boundary != nullptr
+                ? search_.nearest(from, *boundary)
+                : search_.nearest(from, infinity, ways_.outer_ring(), task, 0, steps);
+    ways_.add_search(search_.last_steps());
+    if (!place && search_.last_steps() <= steps) {
+      throw Error(Status::internal, "no way out of an overlap");
+    }
+    boundary = place ? boundary : ways_.boundary(task, BoundaryTrial::most_for(steps));
   }
   const OwnedContact found = contact_in(ways_.operands(), search_, *place, {}, tally_);
   return {depth_of(ways_.operands(), *place, from, tally_), way_to(*place, from, tally_),

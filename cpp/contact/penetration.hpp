@@ -44,9 +44,9 @@ class WaysOut {
     steps_ += steps;
     ++searches_;
   }
-  // Null where searches are quicker, as far as they have gone, and while another thread finds it.
-  // Throws Error: cancelled, internal.
-  [[nodiscard]] const FreeBoundary* boundary(Task& task) const;
+  // Null where searches are quicker, as far as they have gone, or where it takes more than `steps`
+  // as well, and while another thread finds it. Throws Error: cancelled, internal.
+  [[nodiscard]] const FreeBoundary* boundary(Task& task, std::uint64_t steps = 0) const;
 
  private:
   [[nodiscard]] bool are_convex() const { return operands_.a.is_convex && operands_.b.is_convex; }

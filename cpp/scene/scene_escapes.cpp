@@ -58,17 +58,23 @@ struct SceneEscapeSearch::Neighbourhood {
   }
   // The nearest free place, if it is within a distance. `places`: how many more may be asked for.
   std::optional<FreePlace> nearest(const Point& position, double distance, std::uint64_t places,
-                                   const WantedParts& wanted, Task& task) {
-    if (!boundary && !operands.focus && trial_.may_begin(steps_to_spend(places))) {
+                                   const WantedParts& wanted, Task& task, Tally& tally) {
+    if (!operands.focus) {
       find_boundary(wanted, steps_to_spend(places), task);
     }
-    if (boundary) {
-      return search->nearest(position, *boundary);
+    for (std::uint64_t steps = first_long_search(operands); !boundary; steps *= 4) {
+      std::optional<FreePlace> place = search->nearest(position, distance, {}, task, 1, steps);
+      steps_ += search->last_steps();
+      ++searches_;
+      if (search->last_steps() <= steps) {
+        return place;
+      }
+      if (operands.focus) {
+        begin(wanted, std::nullopt, tally);
+      }
+      find_boundary(wanted, BoundaryTrial::most_for(steps), task);
     }
-    const std::optional<FreePlace> place = search->nearest(position, distance, {}, task, 1);
-    steps_ += search->last_steps();
-    ++searches_;
-    return place;
+    return search->nearest(position, *boundary);
   }
 
  private:
@@ -77,7 +83,11 @@ struct SceneEscapeSearch::Neighbourhood {
   [[nodiscard]] std::uint64_t steps_to_spend(std::uint64_t places) const {
     return searches_ == 0 ? 0 : steps_ / searches_ * std::min(places, searches_) / 2;
   }
+  // If it is not known, and may be found in so many steps.
   void find_boundary(const WantedParts& wanted, std::uint64_t steps, Task& task) {
+    if (boundary || !trial_.may_begin(steps)) {
+      return;
+    }
     trial_.run(steps, task, [&](Task& own) {
       Counts counts;
       ExactRegion region;
@@ -151,7 +161,7 @@ SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
     }
     Neighbourhood& found = neighbourhood(number, near, position, distance);
     const std::optional<FreePlace> place =
-        found.nearest(position, distance, places_ + 1, positions_.wanted(), task);
+        found.nearest(position, distance, places_ + 1, positions_.wanted(), task, tally_);
     if (place && (is_all || place->distance.hi <= distance)) {
       const OwnedContact touched =
           contact_in(found.operands, *found.search, *place, found.solids.owners, tally_);

@@ -39,7 +39,7 @@ class NearestEdges {
   // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may
   // be at most `reach`, which may fall on the way: as far as no witnesses cover them, by that
   // distance, the nearest one first. Leaves out those that is_known(edge) knows, which is asked
-  // before an edge is looked at. Calls pass() after each step.
+  // before an edge is looked at. Calls pass() after each step, and ends if it gives false.
   template <class IsKnown, class Visit, class Pass>
   void for_each(const double& reach, IsKnown is_known, Visit visit, Pass pass) {
     find_edges_below();
@@ -62,7 +62,9 @@ class NearestEdges {
       } else {
         visit(operands_.named(entry.edge()));
       }
-      pass();
+      if (!pass()) {
+        return;
+      }
     }
   }
 

@@ -119,8 +119,8 @@ TEST(WaysOut, AreTheSameForHugeAndTinyPolygons) {
 }
 
 // A comb with itself, whose gaps fit no tooth, each by another bit: the region takes long.
-test::PolygonRings comb(int teeth) {
-  const auto right = [](int k) { return k + 0.5 + k % 7 * k * 0x1p-12; };  // of a tooth
+test::PolygonRings comb(int teeth, double bit = 0x1p-12) {
+  const auto right = [&](int k) { return k + 0.5 + k % 7 * k * bit; };  // of a tooth
   PointVector ring{{0, 0}, {right(teeth - 1), 0}};
   for (int k = teeth - 1; k >= 0; --k) {
     ring.insert(ring.end(), {{right(k), 9}, {1.0 * k, 9}});
@@ -154,6 +154,31 @@ TEST(WaysOut, GiveUpARegionThatTakesLonger) {
   const FreeBoundary* const boundary = ways.boundary(task);
   EXPECT_NE(boundary, nullptr);
   EXPECT_EQ(ways.boundary(task), boundary);
+}
+
+// Where one search takes long, the boundary is found, or given up for a longer search.
+TEST(WaysOut, OfALongSearchAreThoseOfTheBoundary) {
+  int found = 0;
+  for (const double bit : {0.0, 0x1p-12}) {
+    for (const int teeth : {20, 60, 120}) {
+      SCOPED_TRACE(teeth);
+      const Polygon a = *test::region_operand(comb(teeth, bit), "a").polygon;
+      const Polygon b = *test::region_operand(test::negated_rings(comb(teeth, bit)), "b").polygon;
+      const PolygonPair pair(a, b);
+      const PlacedPair placed(pair, {0.3 * teeth + 0.1, 10.1});
+      Task task;
+      Tally tally;
+      const WaysOut ways(a, a, {}, 1, task, tally);
+      const Numbers by_search = numbers_of(EscapeSearch(ways, tally).find(placed, task));
+      const WaysOut known(a, a, {}, 1, task, tally);
+      EXPECT_NE(known.boundary(task, many_steps), nullptr);
+      EXPECT_EQ(by_search, numbers_of(EscapeSearch(known, tally).find(placed, task)));
+      EXPECT_NE(by_search[0], 0);
+      found += ways.boundary(task) != nullptr ? 1 : 0;
+    }
+  }
+  EXPECT_GT(found, 0);
+  EXPECT_LT(found, 6);
 }
 
 TEST(WaysOut, AreSearchedForWhereFewAreLeft) {

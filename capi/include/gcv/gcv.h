@@ -1379,9 +1379,9 @@ typedef struct gcv_escape {
  * Exactness: which place is the nearest is decided exactly; depth, vector and points are correctly
  * rounded. Cost: what is common to all translations, O((n + m) log (n + m)), once a call; then for
  * each that overlaps about the superset edges that are no further than the depth, as far as no
- * others cover them. Where those of a call have taken about as long as the region would, or both
- * are convex, that is found, once, and each of the others takes O(log (n + m)) as a rule. With
- * holes left out, the outer ring of the sum, once a call.
+ * others cover them. Where one, or those of a call, have taken about as long as the region would,
+ * or both are convex, that is found, once, and each of the others takes O(log (n + m)) as a rule.
+ * With holes left out, the outer ring of the sum, once a call.
  * Threads: any. @since 0.2
  */
 GCV_API GCV_NODISCARD gcv_status gcv_penetration(const gcv_polygon *a, const gcv_polygon *b,
