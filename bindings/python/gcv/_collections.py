@@ -15,7 +15,7 @@ from ._polygon import Polygon
 from ._region import Region
 from ._shape import Shape
 from ._text_files import geometries, polygon_of_wkt, texts_of_wkt
-from ._texts import read_json
+from ._texts import read_json, text_of
 
 _Maker = Callable[[str], NamedPolygon]
 """What makes a polygon of a source, whose errors have that name."""
@@ -29,11 +29,8 @@ def collection_of(source: Any, name: str, row_name: str = "") -> Optional[Column
     """
     if isinstance(source, (list, tuple, Region)):
         return None
-    if isinstance(source, Path):
-        source = source.read_bytes()
-    if isinstance(source, (str, bytes, bytearray)):
-        text = source.encode(errors="replace") if isinstance(source, str) else bytes(source)
-        makers = _makers_of_text(text, name)
+    if isinstance(source, (str, bytes, bytearray, Path)):
+        makers = _makers_of_text(text_of(source), name)
     elif isinstance(source, Shape):
         makers = [_maker(source)]
     else:

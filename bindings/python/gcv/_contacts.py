@@ -45,7 +45,10 @@ class Contact(NamedTuple):
     a and b are numbers of the points as they were passed to Polygon: of all rings, one after
     the other, closing and repeated points counted. They are not indices of Polygon.vertices,
     which has other points in another order. With points, a list of the points of A as
-    passed, the vertex is points[contact.a], and an edge begins there.
+    passed, the vertex is points[contact.a], and an edge begins there. Points in the middle
+    of straight edges are no vertices: an edge past them has the number of the first along
+    the ring in Polygon.vertices, which is counter-clockwise, holes clockwise. A point that
+    is passed several times in a row has its last number.
     """
 
     kind: ContactKind

@@ -75,7 +75,16 @@ def rings_of(source: Any) -> Rings:
         return [_from_pairs(ring, k, elevations=True) for k, ring in enumerate(rings)]
     if hasattr(source, "read"):
         raise invalid("an open file is no polygon; pass what it says, or its pathlib.Path")
-    return [_from_pairs(source)]
+    try:
+        return [_from_pairs(source)]
+    except InputError as error:
+        if isinstance(source, (list, tuple)) and _is_ring(source[0]):
+            raise InputError(error.status, f"{error}: it is a ring; pass holes as holes") from None
+        raise
+
+
+def _is_ring(value: Any) -> bool:
+    return isinstance(value, (list, tuple)) and any(isinstance(p, (list, tuple)) for p in value)
 
 
 def rings_of_many(source: Any) -> Optional[list[bytes]]:
@@ -293,7 +302,11 @@ def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional
 def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
     """The rings of a GeoJSON object."""
     kind = _kind(geometry)
+    outer: dict[int, Any] = {}  # with what has these ids, which others could take else
     while kind in ("Feature", "FeatureCollection", "GeometryCollection"):
+        if id(geometry) in outer:
+            raise invalid(f"a {kind} that is in itself is not a polygon")
+        outer[id(geometry)] = geometry
         if kind == "Feature":
             geometry = geometry.get("geometry")
         elif kind == "FeatureCollection":

@@ -32,7 +32,7 @@ class EdgeSource(NamedTuple):
 
     The kind says whether a and b are numbers of vertices or of edges: of vertex k as
     passed, or of the edge from vertex k to k+1. As in Contact, they are no indices of
-    Polygon.vertices.
+    Polygon.vertices, and edges past points on a straight line have the number of the first.
     """
 
     kind: int

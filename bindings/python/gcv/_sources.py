@@ -25,7 +25,7 @@ from ._coordinates import (
 )
 from ._handles import created_of_wkt
 from ._shape import Shape
-from ._texts import geometry_of_text, of_one_part, without_elevations
+from ._texts import geometry_of_text, of_one_part, text_of, without_elevations
 
 if TYPE_CHECKING:
     import numpy
@@ -98,9 +98,12 @@ def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
     if ring is not None:
         return [ring], None
     if isinstance(source, Path):
-        source = source.read_bytes()
+        try:
+            return read(text_of(source))
+        except _ffi.Error as error:
+            raise _ffi.named(error, f"polygon: {source}") from None
     if isinstance(source, (str, bytes, bytearray)):
-        text = source.encode(errors="replace") if isinstance(source, str) else bytes(source)
+        text = text_of(source)
         geometry = geometry_of_text(text)
         if geometry is None:
             return created_of_wkt(without_elevations(of_one_part(text)))

@@ -4,13 +4,25 @@
 
 from __future__ import annotations
 
+import codecs
 import json
 import re
 from array import array
-from typing import Any, Optional
+from pathlib import Path
+from typing import Any, Optional, Union
 
 from ._coordinates import Rings, invalid
 from ._ffi import PARSE, InputError
+
+
+def text_of(source: Union[str, bytes, bytearray, Path]) -> bytes:
+    """The text, or that of a file, in UTF-8, without a mark that says so."""
+    if isinstance(source, Path):
+        source = source.read_bytes()
+    text = source.encode(errors="replace") if isinstance(source, str) else bytes(source)
+    if text.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        raise InputError(PARSE, "polygon: text in UTF-16, not UTF-8")
+    return text[len(codecs.BOM_UTF8) :] if text.startswith(codecs.BOM_UTF8) else text
 
 
 def geometry_of_text(text: bytes) -> Optional[Any]:

@@ -280,3 +280,35 @@ def test_area_out_of_range() -> None:
     with pytest.raises(gcv.Error, match="area") as raised:
         huge.area  # noqa: B018
     assert raised.value.status_name == "GCV_ERR_RANGE"
+
+
+def test_marks_of_encodings(tmp_path: Path) -> None:
+    file = tmp_path / "triangle.wkt"
+    text = "POLYGON ((0 0, 4 0, 4 4, 0 0))"
+    for source in (
+        text,
+        json.dumps({"type": "Polygon", "coordinates": [[(0, 0), (4, 0), (4, 4), (0, 0)]]}),
+    ):
+        file.write_text(source, encoding="utf-8-sig")
+        assert gcv.Polygon(file).area == gcv.Polygon("\ufeff" + source).area == 8
+        assert [polygon.area for polygon in gcv.Polygon.many(file)] == [8]
+        file.write_text(source, encoding="utf-16")
+        with pytest.raises(gcv.InputError, match=r"triangle\.wkt: text in UTF-16, not UTF-8"):
+            gcv.Polygon(file)
+        with pytest.raises(gcv.InputError, match="UTF-16"):
+            gcv.Polygon.many(file)
+    file.write_text(text[:-2])
+    with pytest.raises(gcv.InputError, match=r"polygon: .*triangle\.wkt: byte "):
+        gcv.Polygon(file)
+
+
+def test_geometries_in_themselves() -> None:
+    feature: dict[str, Any] = {"type": "Feature"}
+    feature["geometry"] = feature
+    with pytest.raises(gcv.InputError, match="a Feature that is in itself"):
+        gcv.Polygon(feature)
+
+
+def test_rings_in_place_of_points() -> None:
+    with pytest.raises(gcv.InputError, match="is not a pair of numbers: it is a ring; pass holes"):
+        gcv.Polygon([SQUARE, HOLE])  # type: ignore[list-item]
