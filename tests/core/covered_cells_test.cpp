@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <random>
 #include <utility>
 #include <vector>
@@ -14,6 +16,7 @@
 #include "convex_sums.hpp"
 #include "directions.hpp"
 #include "generators.hpp"
+#include "solid_cells.hpp"
 #include "tree_product.hpp"
 
 namespace gcv {
@@ -158,6 +161,58 @@ class Grid {
   Operands operands_;
   CoveredCells cells_;
 };
+
+bool meets(const Point& p, const Point& q, const Box& box) {
+  if (std::max(p.x, q.x) < box.x0 || std::min(p.x, q.x) > box.x1 || std::max(p.y, q.y) < box.y0 ||
+      std::min(p.y, q.y) > box.y1) {
+    return false;
+  }
+  int left = 0;
+  int right = 0;
+  for (const Point& corner : {Point{box.x0, box.y0}, Point{box.x1, box.y0}, Point{box.x1, box.y1},
+                              Point{box.x0, box.y1}}) {
+    left += turn(p, q, corner) > 0 ? 1 : 0;
+    right += turn(p, q, corner) < 0 ? 1 : 0;
+  }
+  return left < 4 && right < 4;
+}
+
+// On the lines of the grid, too, an edge is in the cells on both sides.
+TEST(SolidCells, AreThoseThatNoEdgeMeets) {
+  Random random(3);
+  constexpr double margin = 0x1p-20;
+  std::size_t found = 0;
+  for (int k = 0; k < 60; ++k) {
+    for (const Ring& ring : {test::random_histogram(random, 3 + k / 4, 40),
+                             test::random_small_integer_polygon(random, 4 + k / 8, 30)}) {
+      const Boundary solid = make_ring(ring, "A");
+      const Ring vertices = Pair::relative(solid);
+      const Box bounds = solid.relative_bounds();
+      const auto columns = static_cast<std::size_t>(bounds.x1 - bounds.x0) + 1;
+      const auto rows = static_cast<std::size_t>(bounds.y1 - bounds.y0) + 1;
+      std::vector<std::vector<bool>> is_in(rows, std::vector<bool>(columns));
+      for (const auto& [row, from, to] : cells_inside(solid, bounds, {1, 1}, margin)) {
+        for (std::uint32_t column = from; column < to; ++column) {
+          is_in[row][column] = true;
+          ++found;
+        }
+      }
+      for (std::size_t row = 0; row < rows; ++row) {
+        for (std::size_t column = 0; column < columns; ++column) {
+          const double x = bounds.x0 + static_cast<double>(column);
+          const double y = bounds.y0 + static_cast<double>(row);
+          const Box cell{x - margin, y - margin, x + 1 + margin, y + 1 + margin};
+          bool is_free = is_inside(vertices, {x + 0.5, y + 0.5});
+          for (std::size_t i = 0; i < vertices.size() && is_free; ++i) {
+            is_free = !meets(vertices[i], vertices[(i + 1) % vertices.size()], cell);
+          }
+          EXPECT_EQ(is_in[row][column], is_free) << k << ": " << column << ' ' << row;
+        }
+      }
+    }
+  }
+  EXPECT_GT(found, 4000);
+}
 
 TEST(CoveredCells, LieInTheOpenSum) {
   Random random(1);
