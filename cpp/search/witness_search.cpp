@@ -265,21 +265,6 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
   });
 }
 
-void WitnessSearch::expand_first(double from, double to) {
-  const Waiting waiting = queue_[next_++];
-  if (!(waiting.near.to < from)) {
-    expand(waiting.nodes, from, to);
-  }
-}
-
-void WitnessSearch::expand_last(double from, double to) {
-  const Waiting waiting = queue_.back();
-  queue_.pop_back();
-  if (!(waiting.near.to < from)) {
-    expand(waiting.nodes, from, to);
-  }
-}
-
 void WitnessSearch::put_longest_last() {
   const std::size_t last = queue_.size() - 1;
   for (std::size_t k = queue_.size() - std::min(queue_.size() - next_, last_nodes); k < last; ++k) {
@@ -370,7 +355,7 @@ std::optional<WitnessSearch::Pair> WitnessSearch::next_found_pair() {
   return std::nullopt;
 }
 
-std::optional<WitnessSearch::Pair> WitnessSearch::next_pair() {
+std::optional<WitnessSearch::Pair> WitnessSearch::next_pair(bool longest_first) {
   while (true) {
     if (const std::optional<Pair> found = next_found_pair()) {
       return found;
@@ -379,6 +364,9 @@ std::optional<WitnessSearch::Pair> WitnessSearch::next_pair() {
       queue_.clear();
       next_ = 0;
       return std::nullopt;
+    }
+    if (longest_first && equal_.prevail) {
+      put_longest_last();
     }
     expand_last(approached_.from, approached_.to);
   }

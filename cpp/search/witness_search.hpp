@@ -48,8 +48,9 @@ class WitnessSearch {
   // Of these pairs, first searches for those in the last witness: the parallelogram that the line
   // leaves where that ends is one of them, as a rule.
   void prefer_last_witness();
-  // The next of these pairs, which is searched for when it is asked for.
-  std::optional<Pair> next_pair();
+  // The next of these pairs, which is searched for when it is asked for: if wanted, and most chains
+  // have equal ones, where the line is long near nodes first.
+  std::optional<Pair> next_pair(bool longest_first = false);
   // The next one that was found without that, if there is one.
   std::optional<Pair> next_found_pair();
   // Begins with a line, and finds all such pairs. Leaves out none.
@@ -131,8 +132,17 @@ class WitnessSearch {
   // queue, if this is before `to`.
   void expand(const Nodes& nodes, double from, double to);
   // The same for nodes in the queue.
-  void expand_first(double from, double to);
-  void expand_last(double from, double to);
+  void expand_first(double from, double to) { expand_if_near(queue_[next_++], from, to); }
+  void expand_last(double from, double to) {
+    const Waiting last = queue_.back();
+    queue_.pop_back();
+    expand_if_near(last, from, to);
+  }
+  void expand_if_near(Waiting waiting, double from, double to) {
+    if (!(waiting.near.to < from)) {
+      expand(waiting.nodes, from, to);
+    }
+  }
   // Of the last of these, puts the one that is near the line for longest in the last place.
   void put_longest_last();
   // Moves the nodes that come near the line before that to the queue.

@@ -161,8 +161,8 @@ bool EdgeCover::is_sum_of_touches(const PlacesOnLine& places, const Place& place
   return false;
 }
 
-std::optional<WitnessSearch::Pair> EdgeCover::next_pair() {
-  while (const std::optional<WitnessSearch::Pair> pair = search_.next_pair()) {
+std::optional<WitnessSearch::Pair> EdgeCover::next_pair(bool longest_first) {
+  while (const std::optional<WitnessSearch::Pair> pair = search_.next_pair(longest_first)) {
     if (pair->i < seen_) {
       met_pairs_.push_back(*pair);
       return pair;

@@ -180,8 +180,8 @@ class EdgeCover {
   // The contacts at a place; not all of them if it is covered.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
   Surroundings look_anew(const PlacesOnLine& places, const Place& place);
-  // The next pair of edges near what the search has approached.
-  std::optional<WitnessSearch::Pair> next_pair();
+  // The next pair of edges near what the search has approached, as the search has it.
+  std::optional<WitnessSearch::Pair> next_pair(bool longest_first = false);
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
                                          const Place& place) const;
   // What follows the place on s is covered if a pair of edges shows it: then a place beyond, up to

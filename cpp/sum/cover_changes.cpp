@@ -78,7 +78,7 @@ std::optional<Place> EdgeCover::exit_of_cover(const PlacesOnLine& places, const 
     take(containment.end ? *containment.end : places.end());
   }
   while (!furthest) {
-    const std::optional<WitnessSearch::Pair> pair = next_pair();
+    const std::optional<WitnessSearch::Pair> pair = next_pair(true);
     if (!pair) {
       break;
     }
