@@ -174,6 +174,30 @@ static void positions_between_doubles(void) {
   gcv_polygon_destroy(tiny);
 }
 
+/* A hole that the square just fits, at 0.1 + 1, which no double is: what is furthest else, and the
+ * nearest double where there is nothing else. */
+static void fits_between_doubles(void) {
+  static const double rings[16] = {0, 0, 6, 0, 6, 6, 0, 6, 1, 1, 5, 1, 5, 5, 1, 5};
+  static const size_t sizes[2] = {4, 4};
+  gcv_polygon *sheet = POLYGON(0, 0.1, 20, 0.1, 20, 20, 0, 20), *square = SQUARE(4);
+  gcv_polygon *narrow = POLYGON(0, 0.1, 7, 0.1, 7, 7, 0, 7), *washer = NULL;
+  const double position[2] = {1, 0.1 + 1};
+  int8_t relation = 77;
+  gcv_scene *scene = scene_in(sheet);
+  CHECK_OK(gcv_polygon_create_rings(rings, sizes, 2, 0, &washer));
+  add(scene, washer, 0, 0.1);
+  CHECK(best_is(scene, square, -1, -1, NULL, 0, 0x1.8666666666667p2));
+  CHECK_OK(gcv_scene_set_container(scene, narrow));
+  CHECK(best_is(scene, square, -1, -1, NULL, position[0], position[1]));
+  CHECK_OK(gcv_scene_relation(scene, square, position, 1, NULL, NULL, &relation));
+  CHECK(relation == GCV_OVERLAPPING);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(sheet);
+  gcv_polygon_destroy(square);
+  gcv_polygon_destroy(narrow);
+  gcv_polygon_destroy(washer);
+}
+
 static void what_is_refused(void) {
   static const double directions[][2] = {{0, 0}, {-0.0, 0}, {NAN, 1}, {1, INFINITY}};
   const uint64_t one = 1;
@@ -225,6 +249,7 @@ int main(void) {
   exact_fits();
   queries();
   positions_between_doubles();
+  fits_between_doubles();
   what_is_refused();
   return check_failures != 0;
 }
