@@ -213,13 +213,8 @@ class FurthestFree : public BestFree<FurthestFree> {
   }
   // Its first place, if that is wanted; else the last one.
   void take_fit(const PlacesOnLine& places, const Place& from, const Place& to) {
-    const RelativeLine line = relative_line(places);
-    for (const Place& place : {from, to}) {
-      if (!(distance_at(line, parameters_of(line, place)).lo > reach()) &&
-          is_fit_wanted_(exact_point(places.line().at, place))) {
-        take(places, place);
-        return;
-      }
+    if (!take_wanted(places, from) && places.compare(from, to) != 0) {
+      take_wanted(places, to);
     }
   }
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {
@@ -227,6 +222,15 @@ class FurthestFree : public BestFree<FurthestFree> {
   }
 
  private:
+  bool take_wanted(const PlacesOnLine& places, const Place& place) {
+    const RelativeLine line = relative_line(places);
+    const bool is_wanted = !(distance_at(line, parameters_of(line, place)).lo > reach()) &&
+                           is_fit_wanted_(exact_point(places.line().at, place));
+    if (is_wanted) {
+      take(places, place);
+    }
+    return is_wanted;
+  }
   void take(const PlacesOnLine& places, const Place& place) {
     const RelativeLine line = relative_line(places);
     compare(places, exact_point(places.line().at, place), line, parameters_of(line, place), place);
@@ -276,7 +280,7 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
           return steps() <= most_steps;
         });
   }
-  if (wanted_.fits) {
+  if (wanted_.fits && steps() <= most_steps) {
     cover_.visit_touches(best, [&](const VertexSum& sum) { return best.is_near(sum); });
   }
   last_steps_ = steps();

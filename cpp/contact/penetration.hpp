@@ -27,8 +27,9 @@ struct Escape {
 };
 
 // What the ways out at all translations have in common. With holes left out there is the outer ring
-// to go to. The whole boundary is found for convex polygons, and where it takes a part of the time
-// of the searches that are still to come. It gives the same ways.
+// to go to. The whole boundary is found for convex polygons, where it takes a part of the time of
+// the searches that are still to come, and in place of a search that takes long. It gives the same
+// ways.
 class WaysOut {
  public:
   // The polygons must live longer. `places`: how many translations there are, about.
