@@ -198,6 +198,22 @@ static void fits_between_doubles(void) {
   gcv_polygon_destroy(washer);
 }
 
+/* A bar fits a slanted slot. It slides up to a wall, where no doubles show it, from (0, 0). */
+static void slides_between_doubles(void) {
+  gcv_polygon *slot = POLYGON(0, 0, 2018, 14, 2018, 15, 0, 1);
+  gcv_polygon *bar = POLYGON(0, 0, 1009, 7, 1009, 8, 0, 1);
+  gcv_polygon *wall = POLYGON(1509, 5, 1600, 5, 1600, 20, 1509, 20);
+  gcv_scene *scene = scene_in(slot);
+  CHECK(best_is(scene, bar, 1, 0, NULL, 1009, 7));
+  add(scene, wall, 0, 0);
+  CHECK(best_is(scene, bar, 1, 0, NULL, 0, 0));
+  CHECK(best_is(scene, bar, -1, 0, NULL, 0, 0));
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(slot);
+  gcv_polygon_destroy(bar);
+  gcv_polygon_destroy(wall);
+}
+
 static void what_is_refused(void) {
   static const double directions[][2] = {{0, 0}, {-0.0, 0}, {NAN, 1}, {1, INFINITY}};
   const uint64_t one = 1;
@@ -250,6 +266,7 @@ int main(void) {
   queries();
   positions_between_doubles();
   fits_between_doubles();
+  slides_between_doubles();
   what_is_refused();
   return check_failures != 0;
 }
