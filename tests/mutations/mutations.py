@@ -240,7 +240,12 @@ def read_equivalents() -> set[tuple[str, ...]]:
     for block in blocks:
         lines = [line for line in block.splitlines() if line and line[0] != "#"]
         if lines:
-            found.add((lines[0], *(line for line in lines[1:] if line[0] in "-+")))
+            change = [line for line in lines[1:] if line[0] in "-+"]
+            code = {line.strip() for line in (PROJECT / lines[0]).read_text().splitlines()}
+            for line in change:
+                if line[0] == "-" and line[1:].strip() not in code:
+                    sys.exit(f"{EQUIVALENT.name} names a line that is not in {lines[0]}: {line}")
+            found.add((lines[0], *change))
     return found
 
 

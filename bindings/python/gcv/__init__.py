@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: LGPL-3.0-or-later
 """Minkowski sums of two polygons, exactly: outer faces and whole regions.
 
-And questions about two polygons, exactly, without a sum: whether they touch or overlap,
+And questions about two polygons, exactly: whether they touch or overlap,
 how far they are from each other, and how far one can move. A scene answers them for
 many polygons at positions, and tells where one more polygon is free.
 

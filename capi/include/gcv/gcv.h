@@ -1206,8 +1206,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_
  * is read or written. All or nothing: on failure no result is written. Messages name the number of
  * the translation. options.threads share the translations, options.progress counts them.
  * gcv_penetration takes options.leave_out, too, and refuses a tolerance. Other options change
- * nothing, but their values must be valid. Nothing is built for a pair: the first question to a
- * polygon prepares it, later ones find that done. Where rings of one polygon touch, contacts are
+ * nothing, but their values must be valid. The first question to a polygon prepares it, later ones
+ * find that done. Only gcv_penetration builds anything for a pair. Where rings of one polygon touch, contacts are
  * named by a vertex there.
  */
 
