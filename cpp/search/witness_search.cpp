@@ -23,10 +23,13 @@ constexpr double least_progress = 0x1p-20;
 constexpr std::size_t largest_nodes = 8;
 // Of so many of the last nodes the one that is near the line for longest comes first.
 constexpr std::size_t last_nodes = 4;
-// A search ends that meets more pairs of edges than that and no witness, or takes more nodes: the
-// place lies on the borders of many parallelograms, and their contacts tell sooner. At the very end
-// of a line only the large nodes are searched: it ends on the border of the sum, as a rule.
+// A search ends that meets more pairs of edges than that and no witness, or takes more nodes. It
+// ends sooner where more pairs are near the place and do not cover it than the four of the vertices
+// that make it: it lies on the borders of many parallelograms, and their contacts tell sooner. At
+// the very end of a line only the large nodes are searched: it ends on the border of the sum, as a
+// rule.
 constexpr std::size_t most_new_pairs = 8;
+constexpr std::size_t most_on_borders = 4;
 constexpr std::size_t most_nodes = 64;
 
 // For heaps with the first in front. A total order, so that every standard library has the same.
@@ -250,12 +253,16 @@ void WitnessSearch::expand(const Nodes& nodes, double from, double to) {
       return;
     }
     const Range covered{all.covered_from[lane], all.covered_to[lane]};
-    if (covered.from < covered.to && covered.to > from && covered.from < 1) {
+    const bool covers = covered.from < covered.to && covered.to > from && covered.from < 1;
+    if (covers) {
       covers_.push_back({covered, child});
       std::push_heap(covers_.begin(), covers_.end(), comes_later);
     }
     if (other_is_edge && children.children.extent[lane] < 0) {
       near_pairs_.push_back({near, {a_.below(child.a), b_.below(child.b)}});
+      if (!(near.from > to) && !(covers && covered.from <= from)) {
+        ++met_on_borders_;
+      }
     } else if (near.from > to) {
       waiting_.push_back({near, child});
       std::push_heap(waiting_.begin(), waiting_.end(), comes_later);
@@ -294,12 +301,14 @@ double WitnessSearch::reach(double t, double until) {
       continue;
     }
     activate(t);
+    met_on_borders_ = 0;
     const std::size_t most_pairs = near_pairs_.size() + most_new_pairs;
     for (std::size_t k = 0;
          next_ < queue_.size() && !(!covers_.empty() && covers_.front().covered.from <= t); ++k) {
       if (k < largest_nodes) {
         expand_first(t, t);
-      } else if (least < 1 && near_pairs_.size() <= most_pairs && k < most_nodes) {
+      } else if (least < 1 && met_on_borders_ <= most_on_borders &&
+                 near_pairs_.size() <= most_pairs && k < most_nodes) {
         put_longest_last();
         expand_last(t, t);
       } else {

@@ -168,8 +168,9 @@ class WitnessSearch {
   std::vector<Waiting> waiting_;  // a heap: the one that comes near first is in front
   std::vector<Cover> covers_;     // likewise
   std::vector<NearPair> near_pairs_;
-  Range approached_{};         // a part of the line
-  std::size_t next_near_ = 0;  // of the near pairs
+  std::size_t met_on_borders_ = 0;  // pairs of edges near the place that do not cover it
+  Range approached_{};              // a part of the line
+  std::size_t next_near_ = 0;       // of the near pairs
 
   [[nodiscard]] static EqualNodes equal_nodes(const Operands& operands);
   // Has an equal pair been met? From now on it has.
