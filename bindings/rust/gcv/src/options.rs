@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 
 use std::any::Any;
+use std::cell::RefCell;
 use std::fmt;
 use std::mem::size_of;
 use std::ops::ControlFlow;
@@ -89,7 +90,7 @@ impl<'a> Options<'a> {
     /// see [`Polygon::simplified`](crate::Polygon::simplified), where that saves a quarter of
     /// its vertices, and the exact ring is that of the simplified polygons. With
     /// [`Rounding::Outward`] the result still contains the exact sum. Must be 0 for inner fits,
-    /// for ways out of overlaps and for free positions in scenes. Other questions, such as
+    /// for ways out of overlaps and for scenes. Other questions about two polygons, such as
     /// [`relation`](crate::relation), are exact whatever it is.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
@@ -111,7 +112,7 @@ impl<'a> Options<'a> {
     /// `GCV_ERR_CANCELLED`; so does a panic, which then goes on in the caller.
     ///
     /// Computations that run at the same time with these options, or with clones of
-    /// them, take turns in calling it.
+    /// them, take turns in calling it. It panics where it computes with them itself.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -134,8 +135,8 @@ impl<'a> Options<'a> {
         self
     }
 
-    /// Whether the holes of a sum are left out, to save time. Not for inner fits and free positions
-    /// in scenes: obstacles would be free there. Outer faces have no holes anyway.
+    /// Whether the holes of a sum are left out, to save time. Not for inner fits and scenes, but
+    /// for ways out of these: obstacles would be free there. Outer faces have no holes anyway.
     ///
     /// ```
     /// use gcv::{minkowski_sum_region, Options, Polygon};
@@ -230,6 +231,11 @@ struct Context<'p, 'a> {
     panic: Option<Box<dyn Any + Send>>,
 }
 
+thread_local! {
+    /// The progress functions that this thread is in.
+    static CALLED: RefCell<Vec<*const ()>> = const { RefCell::new(Vec::new()) };
+}
+
 /// The progress function of the C interface: not 0 to end the computation. A panic must
 /// not go through the library, and waits in the context.
 ///
@@ -238,11 +244,22 @@ struct Context<'p, 'a> {
 /// this on one thread.
 unsafe extern "C" fn report(context: *mut c_void, done: u64, estimate: u64) -> i32 {
     let context = &mut *context.cast::<Context>();
+    let function = Arc::as_ptr(context.progress).cast::<()>();
+    let is_inside = CALLED.with(|called| called.borrow().contains(&function));
+    if is_inside {
+        context.panic = Some(Box::new(
+            "a progress function computes with its own options",
+        ));
+        return 1;
+    }
     let mut progress = context
         .progress
         .lock()
         .unwrap_or_else(PoisonError::into_inner);
-    match catch_unwind(AssertUnwindSafe(|| progress(done, estimate))) {
+    CALLED.with(|called| called.borrow_mut().push(function));
+    let result = catch_unwind(AssertUnwindSafe(|| progress(done, estimate)));
+    CALLED.with(|called| called.borrow_mut().pop());
+    match result {
         Ok(flow) => flow.is_break().into(),
         Err(panic) => {
             context.panic = Some(panic);

@@ -5,6 +5,7 @@
 
 use std::ops::ControlFlow::{Break, Continue};
 use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::sync::{Arc, Mutex};
 
 use gcv::status::*;
 use gcv::{entrance_block, minkowski_sum, minkowski_sum_many, no_fit_polygon};
@@ -174,6 +175,23 @@ fn panics_go_on_in_the_caller() {
         let panic = catch_unwind(sums).unwrap_err();
         assert_eq!(panic.downcast_ref(), Some(&"out of patience"));
     }
+}
+
+#[test]
+fn a_progress_function_does_not_compute_with_its_own_options() {
+    let own: Arc<Mutex<Option<Options<'static>>>> = Arc::default();
+    let (inside, star) = (Arc::clone(&own), star(10));
+    let again = star.clone();
+    let options = Options::new().progress(move |_, _| {
+        let options = inside.lock().unwrap().clone().unwrap();
+        minkowski_sum(&again, &again, &options).map_or(Break(()), |_| Continue(()))
+    });
+    *own.lock().unwrap() = Some(options.clone());
+    let sum = AssertUnwindSafe(|| minkowski_sum(&star, &star, &options));
+    let panic = catch_unwind(sum).unwrap_err();
+    let reason = "a progress function computes with its own options";
+    assert_eq!(panic.downcast_ref(), Some(&reason));
+    own.lock().unwrap().take();
 }
 
 #[test]
