@@ -12,7 +12,7 @@ export class Scratch {
 
   /** Room for so many bytes, aligned for any number. */
   room(bytes: number): number {
-    const pointer = library.malloc(bytes);
+    const pointer = bytes < 2 ** 32 ? library.malloc(bytes) : 0;
     if (pointer === 0) {
       throw errorOf(Status.NO_MEMORY, `there is no memory for ${bytes} bytes`);
     }

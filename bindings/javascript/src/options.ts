@@ -3,7 +3,7 @@
 //
 // The options of computations.
 
-import { CancelledError, unfit } from "./errors.js";
+import { CancelledError, errorOf, Status, unfit } from "./errors.js";
 import { Made } from "./handle.js";
 import { library, reporting, view } from "./library.js";
 import { check, type Scratch } from "./memory.js";
@@ -124,7 +124,12 @@ export function run(
   let thrown: { error: unknown } | undefined;
   const report = (done: number, estimate: number): boolean => {
     try {
-      return progress(done, estimate) === true || signal?.aborted === true;
+      const answer: unknown = progress(done, estimate);
+      if (answer instanceof Promise) {
+        const reason = "progress: it gives a promise; only true at once ends a computation";
+        throw errorOf(Status.INVALID_ARGUMENT, reason);
+      }
+      return answer === true || signal?.aborted === true;
     } catch (error) {
       thrown = { error };
       return true;

@@ -97,7 +97,8 @@ function isNumberArray(value: unknown): value is NumberArray {
     ArrayBuffer.isView(value) &&
     !(value instanceof DataView) &&
     !(value instanceof BigInt64Array) &&
-    !(value instanceof BigUint64Array)
+    !(value instanceof BigUint64Array) &&
+    value.constructor.name !== "Buffer" // bytes of a text or a file, in Node
   );
 }
 

@@ -179,7 +179,7 @@ export abstract class SceneMembers extends Handle {
 
   /** @internal */
   protected override inWords(): string {
-    return counted(this.size, "member") + (this.container === null ? "" : " in a container");
+    return counted(this.size, "member") + (this.#kept === null ? "" : " in a container");
   }
 
   /** The position of a member. */

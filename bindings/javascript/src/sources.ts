@@ -79,10 +79,11 @@ function ringsOrPolygon(source: PolygonLike): Ring[] | Made {
     return source.polygonMade();
   }
   if (typeof source === "string") {
-    if (source.trimStart().startsWith("{")) {
-      return ringsOfGeoJSON(parsed(source));
+    const text = source.replace(/^\ufeff/, ""); // a mark of files in UTF-8
+    if (text.trimStart().startsWith("{")) {
+      return ringsOfGeoJSON(parsed(text));
     }
-    return isSVGPath(source) ? ringsOfSVGPath(source) : madeOfWKT(source);
+    return isSVGPath(text) ? ringsOfSVGPath(text) : madeOfWKT(text);
   }
   if (typeof source === "object" && source !== null && "type" in source) {
     return ringsOfGeoJSON(source);

@@ -23,7 +23,7 @@ function ofOnePart(text: string): string {
   if (parts !== 1) {
     throw noPolygon(`a MultiPolygon of ${parts} parts is not one polygon`);
   }
-  return `${space}     ${name} ${rest.replace(/\)\s*$/, "")}`;
+  return `${space}     ${name} ${rest.replace(/\)([^)]*)$/, " $1")}`;
 }
 
 /** Blanks for a Z and an M, and for their numbers. */

@@ -50,6 +50,7 @@ test("what is no array of polygons", () => {
     [() => gcv.Polygon.many(null), "sources: null is not an array of polygons"],
     [() => gcv.Polygon.many("abc"), 'sources: "abc" is not an array of polygons'],
     [() => gcv.minkowskiSumMany(square, square), "a: <Polygon of 4 vertices> is not an array of polygons"],
+    [() => new gcv.Polygon(Buffer.from("M 0 0 H 9 V 9 Z")), /is not a polygon, and none can be made/],
     [() => new gcv.Polygon(scene), /^polygon: <Scene of 2 members in a container> is not a polygon/],
     [() => gcv.noFitRegionMany([], 5n), "moving: 5n is not an array of polygons"],
     [() => scene.addMany(null, []), "polygons: null is not an array of polygons"],
@@ -116,6 +117,7 @@ test("options that are not what they should be", () => {
   const take = (options) => gcv.minkowskiSumRegion(square, square, options);
   refuses([
     [() => take({ progress: 5 }), "progress: 5 is not a function"],
+    [() => take({ progress: async () => true }), "progress: it gives a promise; only true at once ends a computation"],
     [() => take({ signal: 5 }), "signal: 5 is not an AbortSignal"],
     [() => take({ leaveOut: 5 }), "leaveOut: 5 is not one of holes, fits"],
     [() => take({ leaveOut: ["fits", null] }), "leaveOut: null is not one of holes, fits"],

@@ -27,6 +27,8 @@ test("a polygon from every kind of source", () => {
     "m0 0 6 0 0 4h-6zm1 1 2 0 0 2z",
     geometry,
     JSON.stringify(geometry),
+    `\ufeff${wkt}`,
+    `\ufeff${JSON.stringify(geometry)}`,
     { type: "MultiPolygon", coordinates: [geometry.coordinates] },
     { type: "Feature", geometry },
     { type: "FeatureCollection", features: [{ type: "Feature", geometry }] },
