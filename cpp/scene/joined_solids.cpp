@@ -120,7 +120,8 @@ std::optional<Solid> container_of(const Scene& scene, const Query& query) {
   return query.admits_container() ? scene.container() : std::nullopt;
 }
 
-// Neighbours in a row, for the trees over their edges.
+// Neighbours in a row, for the trees over their edges, without those that are where the same polygon
+// is already.
 Slots in_a_row(const Scene& scene, const Slots& slots) {
   Slots order = order_on_curve(static_cast<std::uint32_t>(slots.size()), [&](std::uint32_t k) {
     const Solid solid = scene.solid(slots[k]);
@@ -129,6 +130,13 @@ Slots in_a_row(const Scene& scene, const Slots& slots) {
   for (BoxForest::Slot& k : order) {
     k = slots[k];
   }
+  const auto is_same = [&](BoxForest::Slot p, BoxForest::Slot q) {
+    const Solid first = scene.solid(p);
+    const Solid second = scene.solid(q);
+    return &first.boundary == &second.boundary && first.position.x == second.position.x &&
+           first.position.y == second.position.y;
+  };
+  order.erase(std::unique(order.begin(), order.end(), is_same), order.end());
   return order;
 }
 

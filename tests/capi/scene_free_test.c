@@ -86,6 +86,30 @@ static void members_in_a_room(void) {
   gcv_polygon_destroy(wall);
 }
 
+/* Of those with the same polygon in the same place, one is looked at: whichever is there. */
+static void members_in_one_place(void) {
+  static const char *const both =
+      "outer 0/1 0/1, 19/1 0/1, 19/1 19/1, 0/1 19/1; hole 3/1 3/1, 3/1 6/1, 6/1 6/1, 6/1 3/1; "
+      "hole 9/1 3/1, 9/1 6/1, 12/1 6/1, 12/1 3/1";
+  gcv_polygon *room = SQUARE(20), *unit = SQUARE(1), *square = SQUARE(2);
+  gcv_scene *scene = scene_in(room);
+  const uint64_t two = 2;
+  add(scene, square, 4, 4);
+  add(scene, square, 4, 4);
+  add(scene, square, 4, 4);
+  CHECK(free_is(scene, unit, NULL, NULL,
+                "outer 0/1 0/1, 19/1 0/1, 19/1 19/1, 0/1 19/1; "
+                "hole 3/1 3/1, 3/1 6/1, 6/1 6/1, 6/1 3/1"));
+  move(scene, 3, 10, 4);
+  CHECK(free_is(scene, unit, NULL, NULL, both));
+  CHECK_OK(gcv_scene_remove(scene, &two, 1));
+  CHECK(free_is(scene, unit, NULL, NULL, both));
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(room);
+  gcv_polygon_destroy(unit);
+  gcv_polygon_destroy(square);
+}
+
 /* Members that stick out of the container, lie outside of it, or cover it. */
 static void members_across_the_container(void) {
   gcv_polygon *room = ROOM, *square = SQUARE(2), *block = SQUARE(4), *large = SQUARE(30);
@@ -307,6 +331,7 @@ static void sources(void) {
 int main(void) {
   containers_alone();
   members_in_a_room();
+  members_in_one_place();
   members_across_the_container();
   exact_fits_between_members();
   holes_of_members();

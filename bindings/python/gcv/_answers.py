@@ -91,7 +91,8 @@ def _impact_text(impact: Impact) -> str:
 
 
 def _escape_text(escape: Escape) -> str:
-    return f"depth {digits(escape.depth)}, position {_point_text(escape.position)}"
+    text = f"depth {digits(escape.depth)}, position {_point_text(escape.position)}"
+    return f"{text}, still overlapping" if escape.relation == Relation.OVERLAPPING else text
 
 
 def _separation_text(separation: Separation) -> str:

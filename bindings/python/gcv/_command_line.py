@@ -85,13 +85,20 @@ def _run(options: argparse.Namespace) -> str:
     usage: argparse.ArgumentParser = options.parser
     if files.count(STANDARD_INPUT) > 1:
         usage.error("standard input can stand for one file only")
-    if STANDARD_OUTPUT == options.output == getattr(options, "svg", None):
+    drawing = getattr(options, "svg", None)
+    if STANDARD_OUTPUT == options.output == drawing:
         usage.error("--svg - takes -o FILE: the result goes to standard output")
+    if options.output != STANDARD_OUTPUT and _is_same(options.output, drawing):
+        usage.error("--svg and -o name the same file")
     try:
         text: str = options.run(options)
         return text
     except UsageError as error:
         usage.error(str(error))
+
+
+def _is_same(file: str, other: Optional[str]) -> bool:
+    return other is not None and Path(file).absolute() == Path(other).absolute()
 
 
 def _fail(reason: str) -> int:

@@ -161,6 +161,8 @@ def _check_limits(options: Options) -> None:
             raise UsageError("--best takes no --window")
         if options.svg is not None:
             raise UsageError("--best takes no --svg: there is no region to draw")
+        if options.rounding != "nearest":
+            raise UsageError("--best takes no --rounding: its floats are free as they are")
         if options.container is None:
             raise UsageError("--best takes --container")
         if not any(options.best):

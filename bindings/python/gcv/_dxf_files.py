@@ -27,9 +27,9 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
     A closed polyline inside another one of its layer is a hole in it, and one inside the
     hole a polygon of its own.
     """
-    recover = package("ezdxf.recover", "dxf", reading.file)
-    disassemble = package("ezdxf.disassemble", "dxf", reading.file)
-    path = package("ezdxf.path", "dxf", reading.file)
+    recover = package("ezdxf.recover", "DXF", reading.file)
+    disassemble = package("ezdxf.disassemble", "DXF", reading.file)
+    path = package("ezdxf.path", "DXF", reading.file)
     layers: dict[str, list[Ring]] = {}
     left_out = Counter[str]()
     if data.startswith(b"AutoCAD Binary DXF"):

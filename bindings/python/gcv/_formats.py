@@ -5,12 +5,14 @@
 from __future__ import annotations
 
 import json
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, Callable, NamedTuple, Union
 
 from ._coordinates import Points
 from ._drawing import COLOURS, FIT_COLOUR
+from ._ffi import INVALID_ARGUMENT, InputError
 from ._outer_face import OuterFace
 from ._polygon import Polygon, digits
 from ._region import Region
@@ -69,7 +71,10 @@ def geojson(results: Sequence[Result]) -> str:
 
 
 def svg(results: Sequence[Result]) -> str:
-    """A drawing in the units of the coordinates, with y up, from which they can be read."""
+    """A drawing in the units of the coordinates, with y up, from which they can be read.
+
+    Raises InputError for what is larger than the largest float.
+    """
     paths, shown = [], []
     for k, (_, shape, _) in enumerate(results):
         polygons, fits = polygons_and_fits(shape)
@@ -88,7 +93,10 @@ def svg(results: Sequence[Result]) -> str:
     xs, ys = zip(*(shown or [(0.0, 0.0)]))
     left, top = min(xs), max(ys)
     width, height = max(xs) - left, top - min(ys)
-    margin = _MARGIN * max(width, height)
+    size = max(width, height)
+    margin = _MARGIN * (size or max(abs(left), abs(top), 1.0))  # of a point by itself
+    if not math.isfinite(size + 2 * margin):
+        raise InputError(INVALID_ARGUMENT, "SVG: a shape is larger than the largest float")
     box = (left - margin, -top - margin, width + 2 * margin, height + 2 * margin)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{" ".join(map(digits, box))}">\n'

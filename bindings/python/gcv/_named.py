@@ -63,13 +63,13 @@ def too_fine(name: str) -> InputError:
     return invalid(name, "lines as near to this curve as --flatten says are too many")
 
 
-def package(module: str, extra: str, file: str) -> Any:
-    """A module of the package that reads files of this kind, which is an extra."""
+def package(module: str, kind: str, file: str) -> Any:
+    """A module of the package that reads files of this kind, such as SVG."""
     name = module.partition(".")[0]
     try:
         importlib.import_module(name)
         return importlib.import_module(module)
     except ImportError:
         raise invalid(
-            file, f"reading {extra.upper()} takes the package {name}: pip install 'gcv[{extra}]'"
+            file, f"reading {kind} takes the package {name}, such as by pip install {name}"
         ) from None

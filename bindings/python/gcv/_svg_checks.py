@@ -69,6 +69,7 @@ def check(root: Element, file: str, left_out: Counter[str]) -> None:
         name = name_of(file, kind, element.get("id"))
         _check_transform(element.get("transform", ""), name)
         if kind == "path":
+            element.set("d", element.get("d", ""))
             _check_path_data(element.get("d", ""), name)
         elif kind in ("polygon", "polyline") and not _is_numbers(element.get("points", ""), 2):
             raise invalid(name, "the points are not pairs of numbers")

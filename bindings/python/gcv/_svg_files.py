@@ -26,7 +26,7 @@ def polygons_of_svg(text: bytes, reading: Reading) -> list[NamedPolygon]:
     y points up: a point (x, y) of the drawing is (x, -y). Rings of a path are holes by
     its fill-rule. An open path is closed, as where SVG fills it.
     """
-    svgelements = package("svgelements", "svg", reading.file)
+    svgelements = package("svgelements", "SVG", reading.file)
     polygons, left_out = [], Counter[str]()
     for element in _elements(svgelements, text, reading.file, left_out):
         kind = element.values.get("tag", "")

@@ -131,6 +131,16 @@ def test_questions(folder: Path) -> None:
     assert contacts[4:] == ["vertex 2 of A, vertex 0 of B, gap 0.5, at 6 6"]
 
 
+def test_positions_that_overlap_still(folder: Path) -> None:
+    """No floats beside the exact position, on slanted edges, are free."""
+    (folder / "c.wkt").write_text("POLYGON ((8.5 6.3, 7 4.1, 7.5 7.2, 6.7 3.5))")
+    (folder / "d.wkt").write_text("POLYGON ((2.5 9.4, 8 9, 2.7 4.3))")
+    printed = output(folder, "penetration c.wkt d.wkt --at 4.5 0.6")
+    depth, position = "depth 0.6810567380398088", "4.867715409367179 1.1732570611369324"
+    assert printed == f"{depth}, position {position}, still overlapping\n"
+    assert output(folder, f"relation c.wkt d.wkt --at {position}") == "overlapping\n"
+
+
 def test_questions_as_json(folder: Path) -> None:
     assert as_json(folder, "relation slot.wkt peg.wkt") == {"relation": "overlapping"}
     separation = gcv.distance(SLOT, PEG, (9, 0))
@@ -249,6 +259,15 @@ def test_pictures(folder: Path) -> None:
     assert (folder / "out.svg").read_text().count("<path") == 4
     output(folder, "simplify two.wkt --tolerance 0 --svg out.svg")
     assert (folder / "out.svg").read_text().count("<path") == 4
+
+
+def test_drawings_of_points_and_beyond_the_range(folder: Path) -> None:
+    drawing = output(folder, "inner-fit peg.wkt peg.wkt --format svg")
+    assert 'viewBox="-0.025 -0.025 0.05 0.05"' in drawing
+    huge = "-1e308 -1e308, 1e308 -1e308, 1e308 1e308, -1e308 1e308"
+    (folder / "huge.wkt").write_text(f"POLYGON (({huge}))")
+    run = run_program(folder, *["simplify", "huge.wkt", "--tolerance", "0", "--format", "svg"])
+    assert failure(run, 1) == "gcv: SVG: a shape is larger than the largest float\n"
 
 
 def test_interrupt(folder: Path) -> None:

@@ -168,17 +168,25 @@ def test_svg_keeps_every_bit(triangle: list[tuple[float, float]]) -> None:
     assert read(here, text) == [polygon]
 
 
+def test_paths_without_data(tmp_path: Path) -> None:
+    paths = '<path d="M0 0H1V1Z"/><path/>'
+    text = f'<svg xmlns="http://www.w3.org/2000/svg">{paths}</svg>'
+    run = run_program(tmp_path, "simplify", "-", "--tolerance", "0", text=text)
+    assert run.stdout == "POLYGON ((0 0, 1 -1, 1 0, 0 0))\n"
+    assert run.stderr == "gcv: standard input: left out: 1 path\n"
+
+
 @pytest.mark.parametrize(
-    ("text", "package", "extra"),
+    ("text", "package", "kind"),
     [
-        ("<svg></svg>", "svgelements", "svg"),
-        ("  0\nSECTION\n", "ezdxf", "dxf"),
+        ("<svg></svg>", "svgelements", "SVG"),
+        ("  0\nSECTION\n", "ezdxf", "DXF"),
     ],
 )
-def test_missing_extra(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, package: str, extra: str
+def test_missing_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, package: str, kind: str
 ) -> None:
     monkeypatch.setitem(sys.modules, package, None)
     assert error(tmp_path, text) == (
-        f"reading {extra.upper()} takes the package {package}: pip install 'gcv[{extra}]'"
+        f"reading {kind} takes the package {package}, such as by pip install {package}"
     )

@@ -1444,7 +1444,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_contact_list_contacts(const gcv_contact_lis
 
 /**
  * The index of each contact in the earlier list that its list was computed with. It is UINT64_MAX
- * for a contact that was not there, so for all contacts of gcv_contacts, which takes no list.
+ * for a contact that was not there, so for all contacts of gcv_contacts, which takes no list. The
+ * same contact is that of the same ids, kind, a and b: where a member has got another polygon since,
+ * or where copies of a scene have added members of their own, it may have been another polygon's.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.

@@ -327,6 +327,9 @@ fn explore_maze(file: &str) -> Result<(), Box<dyn Error>> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let (modes, files): (Vec<_>, Vec<_>) = env::args().skip(1).partition(|word| word == "--maze");
+    if files.len() > 1 || files.iter().any(|word| word.starts_with('-')) {
+        return Err("usage: motion_planning [--maze] [PICTURE.svg]".into());
+    }
     let file = files.first().map_or("motion_planning.svg", String::as_str);
     if modes.is_empty() {
         follow_path(file)?;
