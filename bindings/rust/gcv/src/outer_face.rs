@@ -8,6 +8,7 @@ use gcv_sys as sys;
 
 use crate::call::{create, elements, string, value, INFALLIBLE};
 use crate::handle::Handle;
+use crate::point::bounds_of;
 use crate::polygon::hash_ring;
 use crate::{stats, EdgeSource, Error, Polygon, Stats};
 
@@ -35,6 +36,11 @@ impl OuterFace {
         elements(|out: *mut [f64; 2], capacity, required| unsafe {
             sys::gcv_outer_face_vertices(self.as_ptr(), out.cast(), capacity, required)
         })
+    }
+
+    /// The smallest box around the vertices: `[xmin, ymin, xmax, ymax]`.
+    pub fn bounds(&self) -> [f64; 4] {
+        bounds_of(&self.vertices()).expect("a ring has vertices")
     }
 
     /// The vertices of the exact ring, without collinear ones, as fractions `"p/q r/s"`

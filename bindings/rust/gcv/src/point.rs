@@ -47,3 +47,16 @@ impl<P: Point> Point for &P {
         (*self).xy()
     }
 }
+
+/// The smallest box around points; `None` without points.
+pub(crate) fn bounds_of(points: &[[f64; 2]]) -> Option<[f64; 4]> {
+    let first = points.first()?;
+    let around = [first[0], first[1], first[0], first[1]];
+    Some(
+        points
+            .iter()
+            .fold(around, |[xmin, ymin, xmax, ymax], &[x, y]| {
+                [xmin.min(x), ymin.min(y), xmax.max(x), ymax.max(y)]
+            }),
+    )
+}

@@ -262,6 +262,14 @@ impl Polygon {
         create(|out| unsafe { sys::gcv_polygon_affine(self.as_ptr(), m.as_ptr(), out) }).map(Self)
     }
 
+    /// The polygon moved by a vector, each coordinate correctly rounded.
+    ///
+    /// # Errors
+    /// As [`Polygon::affine`].
+    pub fn translated(&self, [x, y]: [f64; 2]) -> Result<Self, Error> {
+        self.affine([1., 0., x, 0., 1., y])
+    }
+
     /// The polygon with fewer vertices, for scenes that need no more detail, and a bound on
     /// the Hausdorff distance between the two boundaries, in input units: at most
     /// `tolerance`, and often less.

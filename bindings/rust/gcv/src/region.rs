@@ -9,6 +9,7 @@ use gcv_sys as sys;
 use crate::call::{check, count, create, elements, string, value, INFALLIBLE};
 use crate::handle::Handle;
 use crate::part::placed;
+use crate::point::bounds_of;
 use crate::polygon::hash_ring;
 use crate::{stats, EdgeSource, Error, Location, Part, PartKind, Point, Polygon, Stats};
 
@@ -137,6 +138,11 @@ impl Region {
         elements(|out: *mut [f64; 2], capacity, required| unsafe {
             sys::gcv_region_vertices(self.as_ptr(), out.cast(), capacity, required)
         })
+    }
+
+    /// The smallest box around all parts: `[xmin, ymin, xmax, ymax]`; `None` without parts.
+    pub fn bounds(&self) -> Option<[f64; 4]> {
+        bounds_of(&self.vertices())
     }
 
     /// The parts of the exact region, with what each has of [`Region::exact_vertices`].

@@ -39,6 +39,10 @@ fn polygon_properties() {
     assert_eq!(polygon.vertices(), vertices);
     assert_eq!(polygon.area(), Ok(2.));
     assert_eq!(polygon.bounds(), [0., 0., 2., 1.]);
+    assert_eq!(
+        polygon.translated([3., -1.]).unwrap().bounds(),
+        [3., -1., 5., 0.]
+    );
     let rings = "[[[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 1.0]]]";
     let debug = format!("Polygon {{ ring_count: 1, rings: {rings} }}");
     assert_eq!(format!("{polygon:?}"), debug);
@@ -51,6 +55,7 @@ fn squares() {
     let exact = ["0/1 0/1", "3/1 0/1", "3/1 3/1", "0/1 3/1"];
     assert_eq!(face.exact_vertices(), exact);
     assert_eq!(face.area(), Ok(9.));
+    assert_eq!(face.bounds(), [0., 0., 3., 3.]);
     assert_eq!(face.error_bound(), 0.);
     assert_eq!(face.wkt(), "POLYGON ((0 0, 3 0, 3 3, 0 3, 0 0))");
     assert_eq!(face.to_string(), face.wkt());

@@ -30,6 +30,7 @@ fn squares_in_a_box() {
     let wkt = "MULTIPOLYGON (((0 0, 3 0, 3 2, 0 2, 0 0)))";
     assert_eq!(region.wkt(), wkt);
     assert_eq!(region.area(), Ok(6.));
+    assert_eq!(region.bounds(), Some([0., 0., 3., 2.]));
     for (k, source) in region.sources().into_iter().enumerate() {
         // Side k of the square slides along side k of the container.
         let ends = [k, (k + 1) % 4].map(|vertex_b| Translated {
@@ -75,6 +76,7 @@ fn no_room() {
     assert!(region.sources().is_empty() && region.exact_indices().is_empty());
     assert_eq!(region.exact_vertex(0), None);
     assert_eq!((region.area(), region.error_bound()), (Ok(0.), 0.));
+    assert_eq!(region.bounds(), None);
     assert_eq!(region.wkt(), "MULTIPOLYGON EMPTY");
     assert_eq!(region.fits_wkt(), "GEOMETRYCOLLECTION EMPTY");
     assert_eq!(status(region.polygon(0)), GCV_ERR_INVALID_ARGUMENT);
