@@ -7,6 +7,7 @@ from __future__ import annotations
 import argparse
 import math
 import re
+import sys
 from typing import Any, Callable
 
 from . import _answers, _commands, _formats
@@ -14,7 +15,7 @@ from ._completion import SHELLS, script
 from ._ffi import LEAVE_OUTS, ROUNDINGS
 from ._named import NUMBER
 from ._sums import library_version
-from ._writing import STANDARD_OUTPUT
+from ._writing import STANDARD_OUTPUT, write
 
 _FILES = (
     "Files are Well-Known Text, GeoJSON, SVG or DXF, whichever they say; - is standard input. "
@@ -30,6 +31,13 @@ class _Parser(argparse.ArgumentParser):
     def __init__(self, **keywords: Any) -> None:
         super().__init__(allow_abbrev=False, **keywords)
         self._negative_number_matcher = re.compile(r"-(\.?\d|inf|nan)", re.IGNORECASE)
+
+    def _print_message(self, message: str, file: Any = None) -> None:
+        """Print help or a version as all output is, and messages as argparse does."""
+        if file is sys.stdout:
+            write(message, STANDARD_OUTPUT)
+        else:
+            super()._print_message(message, file)
 
 
 def parser() -> argparse.ArgumentParser:

@@ -28,11 +28,11 @@ def main(arguments: Optional[list[str]] = None) -> int:
     """
     program = parser()
     words = sys.argv[1:] if arguments is None else arguments
-    options, unknown = program.parse_known_args(_with_command(program, words))
-    if unknown:
-        meant = _meant(unknown[0], option_strings(options.parser))
-        options.parser.error(f"unrecognized arguments: {' '.join(unknown)}{meant}")
     try:
+        options, unknown = program.parse_known_args(_with_command(program, words))
+        if unknown:
+            meant = _meant(unknown[0], option_strings(options.parser))
+            options.parser.error(f"unrecognized arguments: {' '.join(unknown)}{meant}")
         text = _run(options)
         write(text and text + "\n", options.output)
     except Error as error:

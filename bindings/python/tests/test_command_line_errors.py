@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -142,6 +143,13 @@ def test_closed_streams(folder: Path) -> None:
     for arguments in ("a.wkt -", "a.wkt b.wkt --positions -"):
         run = run_shell(folder, f"gcv relation {arguments} <&-; echo $?")
         assert run.stdout == "gcv: standard input: Bad file descriptor\n1\n"
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/full"), reason="there is no /dev/full")
+@pytest.mark.parametrize("words", ["--help", "--version", "sum --help", "sum a.wkt b.wkt"])
+def test_a_full_disc(folder: Path, words: str) -> None:
+    run = run_shell(folder, f"(gcv {words} >/dev/full); echo $?")
+    assert run.stdout == "gcv: standard output: No space left on device\n1\n"
 
 
 def test_standard_output_as_a_file(folder: Path) -> None:
