@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <utility>
 
@@ -33,8 +34,16 @@ SumEdge as_edge(const Segment& s) {
 // dynamically", 1998.
 class SnapRounding {
  public:
-  SnapRounding(const std::vector<Segment>& segments, const Point& unit, Tally& tally)
-      : segments_(segments), unit_(unit), chains_(segments.size()), tally_(tally) {}
+  // Do all sides of a pixel belong to it, or the left and the lower one alone? Chains of segments
+  // that cross in a corner of closed pixels can cross between their centres.
+  enum class Pixels : std::uint8_t { closed, half_open };
+
+  SnapRounding(const std::vector<Segment>& segments, const Point& unit, Pixels pixels, Tally& tally)
+      : segments_(segments),
+        unit_(unit),
+        pixels_(pixels),
+        chains_(segments.size()),
+        tally_(tally) {}
 
   // The edges of the chains, each once.
   std::vector<Segment> run() {
@@ -177,17 +186,19 @@ class SnapRounding {
     });
   }
 
-  // Does the segment meet the closed pixel around h? The corners of the pixel are sums of two
-  // doubles.
+  // Does the segment meet the pixel around h? It meets a half-open one where, moved to the right by
+  // next to nothing and upwards by much less, it meets what is strictly inside. The corners of the
+  // pixel are sums of two doubles.
   [[nodiscard]] bool passes(const Segment& s, const Point& h) {
     if (s.low == h || s.high == h) {
       return true;
     }
     const Point half{unit_.x / 2, unit_.y / 2};
     const Box box = box_of(s.low, s.high);
-    if (compare_sums(box.x0, 0, h.x, half.x, tally_) > 0 ||
+    const int beyond = pixels_ == Pixels::closed ? 1 : 0;
+    if (compare_sums(box.x0, 0, h.x, half.x, tally_) >= beyond ||
         compare_sums(box.x1, 0, h.x, -half.x, tally_) < 0 ||
-        compare_sums(box.y0, 0, h.y, half.y, tally_) > 0 ||
+        compare_sums(box.y0, 0, h.y, half.y, tally_) >= beyond ||
         compare_sums(box.y1, 0, h.y, -half.y, tally_) < 0) {
       return false;
     }
@@ -201,7 +212,13 @@ class SnapRounding {
         highest = std::max(highest, corner);
       }
     }
-    return lowest <= 0 && highest >= 0;
+    if (pixels_ == Pixels::closed) {
+      return lowest <= 0 && highest >= 0;
+    }
+    // Corners on the line are on this side of the line that was moved.
+    const int moved = line.dy != 0 ? (line.dy > 0 ? 1 : -1) : (line.dx > 0 ? -1 : 1);
+    return (lowest < 0 || (lowest == 0 && moved < 0)) &&
+           (highest > 0 || (highest == 0 && moved > 0));
   }
 
   // Sorts pixels along the longer axis of the segment. Pixels with equal coordinates there are
@@ -224,25 +241,15 @@ class SnapRounding {
 
   const std::vector<Segment>& segments_;
   Point unit_;  // the size of a pixel
+  Pixels pixels_;
   std::vector<HotPixel> hot_;
   std::vector<PointVector> chains_;
   Tally& tally_;
 };
 
-}  // namespace
-
-std::optional<SnapRoundedRing> snap_round(const PointVector& polyline, Tally& tally) {
-  std::vector<Segment> segments;
-  for (std::size_t k = 0; k < polyline.size(); ++k) {
-    segments.push_back(segment(polyline[k], polyline[cyclic_next(k, polyline.size())]));
-  }
-  if (segments.size() < 3) {
-    return std::nullopt;
-  }
-  const double smallest = 2 * std::numeric_limits<double>::denorm_min();  // can be halved
-  Point unit = units_in_last_place(polyline);
-  unit = {std::max(unit.x, smallest), std::max(unit.y, smallest)};
-  const std::vector<Segment> edges = SnapRounding(segments, unit, tally).run();
+std::optional<SnapRoundedRing> snap_round(const std::vector<Segment>& segments, const Point& unit,
+                                          SnapRounding::Pixels pixels, Tally& tally) {
+  const std::vector<Segment> edges = SnapRounding(segments, unit, pixels, tally).run();
   if (edges.empty()) {
     return std::nullopt;
   }
@@ -259,6 +266,24 @@ std::optional<SnapRoundedRing> snap_round(const PointVector& polyline, Tally& ta
   // No point of a segment is further than a pixel's diagonal from its chain.
   result.error_bound = sum_bound(length_bound(unit.x, unit.y), distance_left_out(graph, ring));
   return result;
+}
+
+}  // namespace
+
+std::optional<SnapRoundedRing> snap_round(const PointVector& polyline, Tally& tally) {
+  std::vector<Segment> segments;
+  for (std::size_t k = 0; k < polyline.size(); ++k) {
+    segments.push_back(segment(polyline[k], polyline[cyclic_next(k, polyline.size())]));
+  }
+  if (segments.size() < 3) {
+    return std::nullopt;
+  }
+  const double smallest = 2 * std::numeric_limits<double>::denorm_min();  // can be halved
+  Point unit = units_in_last_place(polyline);
+  unit = {std::max(unit.x, smallest), std::max(unit.y, smallest)};
+  using Pixels = SnapRounding::Pixels;
+  std::optional<SnapRoundedRing> ring = snap_round(segments, unit, Pixels::closed, tally);
+  return ring ? ring : snap_round(segments, unit, Pixels::half_open, tally);
 }
 
 }  // namespace gcv

@@ -69,6 +69,26 @@ void expect_ring(const PointVector& polyline, const PointVector& ring, double le
 
 const PointVector square{{0, 0}, {4, 0}, {4, 4}, {0, 4}};
 
+// The unit is 1, and many segments pass corners of four pixels that are hot: two that cross there,
+// as do the diagonals of the first polyline, and more.
+TEST(SnapRounding, TellsPixelsAtCornersApart) {
+  const Point right{0x1p52, 1};
+  const Point above{1, 0x1p52};
+  expect_promises({right, above, {-0.25, -0.25}, {1.25, 1.25}, {1.25, -0.25}, {-0.25, 1.25}});
+  Random random(7);
+  for (int k = 0; k < 2000; ++k) {
+    PointVector polyline{right, above};
+    while (polyline.size() < 10) {
+      const Point p{uniform(random, -4, 12) / 4.0, uniform(random, -4, 12) / 4.0};
+      if (!(p == polyline.back())) {
+        polyline.push_back(p);
+      }
+    }
+    SCOPED_TRACE(k);
+    expect_promises(polyline);
+  }
+}
+
 TEST(SnapRounding, LeavesSimpleRingsAsTheyAre) {
   expect_ring(square, square, 0);
   const PointVector clockwise(square.rbegin(), square.rend());
