@@ -2,9 +2,15 @@
 #include "containment.hpp"
 
 #include <algorithm>
+#include <boost/container/small_vector.hpp>
+#include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "box.hpp"
+#include "chord_tree.hpp"
 #include "predicates.hpp"
+#include "tree_product.hpp"
 
 namespace gcv {
 
@@ -73,6 +79,53 @@ class PointInRings {
   std::optional<Place> next_;
 };
 
+// What follows a place on a line, as far as it may be met: in relative coordinates.
+class Ahead {
+ public:
+  Ahead(const SumEdge& line, const Box& around, double slack)
+      : way_{line.dx, line.dy},
+        around_(around),
+        margin_(4 * slack * (std::abs(line.dx) + std::abs(line.dy)) +
+                std::numeric_limits<double>::min()) {}
+
+  // False if no edge in the box meets it. The margin allows for roundings of all extents; what is
+  // not a number is met.
+  [[nodiscard]] bool may_meet(const Box& box) const {
+    const Box to{box.x0 - around_.x1, box.y0 - around_.y1, box.x1 - around_.x0,
+                 box.y1 - around_.y0};
+    const auto most = [&](double x, double y) {
+      return x * (x > 0 ? to.x1 : to.x0) + y * (y > 0 ? to.y1 : to.y0);
+    };
+    return !(most(way_.x, way_.y) < -margin_ || most(-way_.y, way_.x) < -margin_ ||
+             most(way_.y, -way_.x) < -margin_);
+  }
+
+ private:
+  Point way_;
+  Box around_;
+  double margin_;
+};
+
+// Calls visit(edge) for the edges below nodes whose boxes may_meet(box) does not leave out.
+template <class MayMeet, class Visit>
+void for_each_edge(const ChordTree& tree, MayMeet may_meet, Visit visit) {
+  boost::container::small_vector<ChordTree::Node, 128> waiting{ChordTree::root};
+  while (!waiting.empty()) {
+    const ChordTree::Node node = waiting.back();
+    waiting.pop_back();
+    if (!may_meet(tree.box(node))) {
+      continue;
+    }
+    if (tree.is_edge(node)) {
+      visit(static_cast<Index>(tree.below(node)));
+      continue;
+    }
+    const std::uint32_t block = tree.below(node);
+    for_each_lane(tree.blocks[block].lanes,
+                  [&](std::uint32_t lane) { waiting.push_back(ChordTree::node(block, lane)); });
+  }
+}
+
 }  // namespace
 
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
@@ -94,6 +147,7 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
       result.of_place = result.of_place || !rings.is_on_ring();
     }
   };
+  const Ahead ahead(places.line().at, around, slack_of(operands));
   // The first vertex of B is at 0.
   const Box near{around.x0 - box_b.x1, around.y0 - box_b.y1, around.x1 - box_b.x0,
                  around.y1 - box_b.y0};
@@ -105,18 +159,27 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
     const Point p = a.relative(first);
     if (!are_apart(near, {p.x, p.y, p.x, p.y})) {
       PointInRings rings(operands, places, place, tally);
-      for (Index j = 0; j < b.size(); ++j) {
-        rings.pass(operands.corner(first, j));
-      }
+      for_each_edge(
+          b.cover_index().chords,
+          [&](const Box& edges) {
+            return ahead.may_meet({p.x + edges.x0, p.y + edges.y0, p.x + edges.x1, p.y + edges.y1});
+          },
+          [&](Index j) { rings.pass(operands.corner(first, j)); });
       add(rings, true);
     }
     if (are_apart(around, box)) {
       return;
     }
     PointInRings rings(operands, places, place, tally);
-    for (Index i = first; i < a.layout.end(a.solid_end(solid) - 1); ++i) {
-      rings.pass(operands.translated(i, 0));
-    }
+    const Index end = a.layout.end(a.solid_end(solid) - 1);
+    for_each_edge(
+        a.cover_index().chords,
+        [&](const Box& edges) { return !are_apart(edges, box) && ahead.may_meet(edges); },
+        [&](Index i) {
+          if (i >= first && i < end) {
+            rings.pass(operands.translated(i, 0));
+          }
+        });
     add(rings, solid != 0 || a.kind == Boundary::Kind::outer);
   });
   return result;

@@ -18,7 +18,7 @@ struct Containment {
 };
 
 // The box holds the place, in relative coordinates. Solids of the vertices of A from `seen` on do
-// not count. O(n + m) for each solid whose box is near.
+// not count. For each solid whose box is near, what the line meets behind the place is looked at.
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
                            const Box& around, Index seen, Tally& tally);
 

@@ -294,8 +294,9 @@ class Scene {
   gcv_polygon* moving_ = nullptr;
 };
 
-// Ways out of a plate with many narrow bars between its holes.
-void ways_out_of_plate() {
+// Calls ask(scene, moving, positions) for a plate with many narrow bars between its holes.
+template <class Ask>
+void with_plate(Ask ask) {
   constexpr int side = 12;
   Polygon vertices{{0, 0}, {10 * side, 0}, {10 * side, 2 * side}, {0, 2 * side}};
   std::vector<std::size_t> sizes{vertices.size()};
@@ -318,12 +319,25 @@ void ways_out_of_plate() {
   const gcv_polygon* const added = plate;
   const double origin[2] = {0, 0};
   require(gcv_scene_add(scene, &added, origin, 1, &id));
-  std::vector<gcv_escape> escapes(positions.size());
-  require(gcv_scene_penetration(scene, moving, positions.front().data(), positions.size(), nullptr,
-                                nullptr, escapes.data()));
+  ask(scene, moving, positions);
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(moving);
   gcv_polygon_destroy(plate);
+}
+void ways_out_of_plate() {
+  with_plate([](const gcv_scene* scene, const gcv_polygon* moving, const Polygon& positions) {
+    std::vector<gcv_escape> escapes(positions.size());
+    require(gcv_scene_penetration(scene, moving, positions.front().data(), positions.size(),
+                                  nullptr, nullptr, escapes.data()));
+  });
+}
+void free_region_of_plate() {
+  with_plate([](const gcv_scene* scene, const gcv_polygon* moving, const Polygon& /*positions*/) {
+    const double window[4] = {-10, -10, 130, 40};
+    gcv_region* region = nullptr;
+    require(gcv_scene_free_region(scene, moving, window, nullptr, nullptr, &region));
+    gcv_region_destroy(region);
+  });
 }
 void free_region_of_scene() {
   Random random(5);
@@ -337,6 +351,7 @@ void best_in_scene() {
 const std::map<std::string, std::function<void()>> scene_cases{
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
+    {"scene_free_region_of_plate", free_region_of_plate},
     {"scene_penetration", ways_out_of_plate}};
 
 }  // namespace
