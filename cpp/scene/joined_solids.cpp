@@ -120,8 +120,8 @@ std::optional<Solid> container_of(const Scene& scene, const Query& query) {
   return query.admits_container() ? scene.container() : std::nullopt;
 }
 
-// Neighbours in a row, for the trees over their edges, without those that are where the same polygon
-// is already.
+// Neighbours in a row, for the trees over their edges, without those that are where the same
+// polygon is already.
 Slots in_a_row(const Scene& scene, const Slots& slots) {
   Slots order = order_on_curve(static_cast<std::uint32_t>(slots.size()), [&](std::uint32_t k) {
     const Solid solid = scene.solid(slots[k]);

@@ -1207,8 +1207,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_stats(const gcv_region *region, gcv_
  * the translation. options.threads share the translations, options.progress counts them.
  * gcv_penetration takes options.leave_out, too, and refuses a tolerance. Other options change
  * nothing, but their values must be valid. The first question to a polygon prepares it, later ones
- * find that done. Only gcv_penetration builds anything for a pair. Where rings of one polygon touch, contacts are
- * named by a vertex there.
+ * find that done. Only gcv_penetration builds anything for a pair. Where rings of one polygon
+ * touch, contacts are named by a vertex there.
  */
 
 /** How two polygons lie. @since 0.2 */
@@ -1445,8 +1445,9 @@ GCV_API GCV_NODISCARD gcv_status gcv_contact_list_contacts(const gcv_contact_lis
 /**
  * The index of each contact in the earlier list that its list was computed with. It is UINT64_MAX
  * for a contact that was not there, so for all contacts of gcv_contacts, which takes no list. The
- * same contact is that of the same ids, kind, a and b: where a member has got another polygon since,
- * or where copies of a scene have added members of their own, it may have been another polygon's.
+ * same contact is that of the same ids, kind, a and b: where a member has got another polygon
+ * since, or where copies of a scene have added members of their own, it may have been another
+ * polygon's.
  *
  * @param out       room for `capacity` elements; or NULL.
  * @param capacity  in elements.
