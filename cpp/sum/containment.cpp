@@ -85,11 +85,11 @@ class Ahead {
   Ahead(const SumEdge& line, const Box& around, double slack)
       : way_{line.dx, line.dy},
         around_(around),
-        margin_(4 * slack * (std::abs(line.dx) + std::abs(line.dy)) +
+        margin_(0x1p-47 * (0x1p49 * slack * (std::abs(line.dx) + std::abs(line.dy))) +
                 std::numeric_limits<double>::min()) {}
 
-  // False if no edge in the box meets it. The margin allows for roundings of all extents; what is
-  // not a number is met.
+  // False if no edge in the box meets it. The margin allows for roundings of all extents, and is
+  // infinite where products may overflow. What is not a number is met.
   [[nodiscard]] bool may_meet(const Box& box) const {
     const Box to{box.x0 - around_.x1, box.y0 - around_.y1, box.x1 - around_.x0,
                  box.y1 - around_.y0};
