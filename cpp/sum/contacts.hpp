@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "contributing_vertices.hpp"
@@ -107,6 +108,25 @@ class BlockedDirections {
   explicit BlockedDirections(const Directions& directions) : directions_(directions) {}
 
   void add(const DirectionArc& arc) { arcs_.push_back(arc); }
+
+  // Leaves out arcs that others hold together. What is blocked stays the same.
+  void leave_few() {
+    std::sort(arcs_.begin(), arcs_.end(), [](const DirectionArc& p, const DirectionArc& q) {
+      return p.from != q.from ? p.from < q.from : p.length > q.length;
+    });
+    const auto end = [](const DirectionArc& arc) { return arc.from + arc.length; };
+    std::vector<DirectionArc> few;
+    for (const DirectionArc& arc : arcs_) {
+      if (!few.empty() && end(arc) <= end(few.back())) {
+        continue;
+      }
+      if (few.size() > 1 && arc.from < end(few[few.size() - 2])) {
+        few.pop_back();
+      }
+      few.push_back(arc);
+    }
+    arcs_ = std::move(few);
+  }
 
   [[nodiscard]] bool holds(Rank rank) const {
     return any([&](const DirectionArc& arc) {

@@ -174,28 +174,33 @@ std::optional<WitnessSearch::Pair> EdgeCover::next_pair(bool longest_first) {
 EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const RelativeLine& line,
                                         const Place& place) {
   approach(line, place);
-  if (!place.is_sum || seen_ < operands_.a.size()) {
-    return look_anew(places, place);
+  if (seen_ < operands_.a.size()) {
+    return look_anew(places, place).surroundings;
   }
   for (const Looked& looked : looked_) {
-    if (is_at(places, place, looked.sum)) {
+    if (is_at(places, place, *looked.sum)) {
       return looked.surroundings;
     }
   }
   const std::uint64_t before = search_.visits();
-  Surroundings surroundings = look_anew(places, place);
-  if (search_.visits() - before > many_visits) {
+  Looked looked = look_anew(places, place);
+  Surroundings surroundings = looked.surroundings;
+  if (looked.sum && search_.visits() - before > many_visits) {
     if (looked_.size() == most_looked) {
       looked_.pop_front();
     }
-    looked_.push_back({place.sum, surroundings});
+    looked.surroundings.blocked.leave_few();
+    looked.surroundings.blocked_inside.leave_few();
+    looked_.push_back(std::move(looked));
   }
   return surroundings;
 }
 
-EdgeCover::Surroundings EdgeCover::look_anew(const PlacesOnLine& places, const Place& place) {
-  Surroundings result{false, BlockedDirections(operands_.directions),
-                      BlockedDirections(operands_.directions)};
+EdgeCover::Looked EdgeCover::look_anew(const PlacesOnLine& places, const Place& place) {
+  Looked looked{
+      place.is_sum ? std::optional(place.sum) : std::nullopt,
+      {false, BlockedDirections(operands_.directions), BlockedDirections(operands_.directions)}};
+  Surroundings& result = looked.surroundings;
   bool is_inside = false;  // is the pair no border's?
   const auto contact = [&](const ConesOfPoint& cones_a, const ConesOfPoint& cones_b) {
     result.is_covered = cones_.overlap(cones_a, cones_b);
@@ -234,6 +239,7 @@ EdgeCover::Surroundings EdgeCover::look_anew(const PlacesOnLine& places, const P
     const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;
     if (is_at(places, place, {i, j})) {
+      looked.sum = VertexSum{i, j};
       contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
     } else if (lies_on(operands_.translated(i, j))) {
       // Where another ring touches the edge, the vertex of that tells.
@@ -256,7 +262,7 @@ EdgeCover::Surroundings EdgeCover::look_anew(const PlacesOnLine& places, const P
       break;
     }
   }
-  return result;
+  return looked;
 }
 
 }  // namespace gcv

@@ -179,7 +179,12 @@ class EdgeCover {
   }
   // The contacts at a place; not all of them if it is covered.
   Surroundings look(const PlacesOnLine& places, const RelativeLine& line, const Place& place);
-  Surroundings look_anew(const PlacesOnLine& places, const Place& place);
+  // A place that was looked at, as a sum of vertices if one is known to be there.
+  struct Looked {
+    std::optional<VertexSum> sum;
+    Surroundings surroundings;
+  };
+  Looked look_anew(const PlacesOnLine& places, const Place& place);
   // The next pair of edges near what the search has approached, as the search has it.
   std::optional<WitnessSearch::Pair> next_pair(bool longest_first = false);
   [[nodiscard]] Containment contained_at(const PlacesOnLine& places, const RelativeLine& line,
@@ -226,11 +231,7 @@ class EdgeCover {
   Tally& tally_;
   WitnessSearch search_;
   std::vector<WitnessSearch::Pair> met_pairs_;  // since a place was looked at
-  // The last places that took long to look at. Many superset edges begin or end there.
-  struct Looked {
-    VertexSum sum;
-    Surroundings surroundings;
-  };
+  // The last sums of vertices that took long to look at. Many superset edges meet there.
   static constexpr std::uint64_t many_visits = 256;
   static constexpr std::size_t most_looked = 8;
   std::deque<Looked> looked_;

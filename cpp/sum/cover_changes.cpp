@@ -14,6 +14,9 @@ namespace {
 
 // Of an edge, the part that is searched first for where what is free ends.
 constexpr double least_part_ahead = 0x1p-9;
+// Where many pairs meet, those next to the edge come after so many others: in the one place of an
+// exact fit, only these show that what follows is covered.
+constexpr int patience = 16;
 
 }  // namespace
 
@@ -77,12 +80,24 @@ std::optional<Place> EdgeCover::exit_of_cover(const PlacesOnLine& places, const 
   if (containment.of_line) {
     take(containment.end ? *containment.end : places.end());
   }
-  while (!furthest) {
-    const std::optional<WitnessSearch::Pair> pair = next_pair(true);
-    if (!pair) {
+  const auto take_exits_next_to_edge = [&] {
+    const EdgeName& s = places.line().edge;
+    for (const Index i : {operands_.a.previous(s.i), s.i, operands_.a.next(s.i)}) {
+      for (const Index j : {operands_.b.previous(s.j), s.j, operands_.b.next(s.j)}) {
+        if (i < seen_) {
+          take_exit_of({i, j});
+        }
+      }
+    }
+  };
+  for (int met = 0; !furthest; ++met) {
+    if (met == patience) {
+      take_exits_next_to_edge();
+    } else if (const std::optional<WitnessSearch::Pair> pair = next_pair(true)) {
+      take_exit_of(*pair);
+    } else {
       break;
     }
-    take_exit_of(*pair);
   }
   return furthest;
 }
