@@ -102,9 +102,9 @@ class Search {
       const double limit = step.limit();
       double next = parameter + stride < limit ? parameter + stride : limit;
       if (ahead_->keep_up(from, visited())) {
-        const double room = ahead_->room(from, stretch.s.dx, stretch.s.dy);
-        if (room < next - parameter && room > (next - parameter) / 4) {
-          next = parameter + room;
+        const double edge = parameter + ahead_->room(from, stretch.s.dx, stretch.s.dy);
+        if (edge < next && edge - parameter > (next - parameter) / 4) {
+          next = edge;
         }
       }
       search_piece(stretch, next,

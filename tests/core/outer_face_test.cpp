@@ -102,6 +102,27 @@ bool holds(const SupersetEdge& e, const Point& p, const Point& q) {
   return distance(p) < 1e-9 && distance(q) < 1e-9;
 }
 
+// Where numbers round, a piece of an edge may be no longer than nothing.
+TEST(OuterFace, EndsWhereTheOtherPolygonIsSomeUlpsLarge) {
+  const auto turned = [](const Ring& ring, double angle) {
+    Ring result;
+    for (const Point& p : ring) {
+      result.push_back({std::cos(angle) * p.x - std::sin(angle) * p.y,
+                        std::sin(angle) * p.x + std::cos(angle) * p.y});
+    }
+    return result;
+  };
+  constexpr int spikes = 132;
+  Ring star;
+  for (int k = 0; k < 2 * spikes; ++k) {
+    const double radius = k % 2 == 1 ? 1 : 0.3;
+    const double angle = 3.141592653589793 * k / spikes + 5.321488440947398;
+    star.push_back({8.514290299713841e-15 * radius * std::cos(angle),
+                    8.514290299713841e-15 * radius * std::sin(angle)});
+  }
+  EXPECT_GT(sum_of(turned(square, 0.5688855900799814), star).rounded.vertices.size(), 200U);
+}
+
 TEST(OuterFace, SourcesAreTrue) {
   Random random(43);
   for (int k = 0; k < 500; ++k) {
