@@ -3,7 +3,9 @@
 // The method is that of outward.cpp. The exact region is rounded to the nearest doubles, which
 // gives N. Let e1 bound how far vertices move. N is grown by a square of half width d, or shrunk,
 // exactly. The result is rounded to the nearest doubles again, where vertices move by at most e2.
-// If e1 + e2 < d, what was outside stays outside.
+// If e1 + e2 < d, what was outside stays outside. Where N is shrunk, the second rounding must not
+// drop holes, which are obstacles. Where N is grown, what is outside may come apart: a part that is
+// no hole of N lies outside of the outer ring, which is rounded by itself.
 //
 // The error. A point that shrinking takes away is within sqrt(2) d of what was outside before.
 #include "region_outward.hpp"
@@ -71,10 +73,41 @@ double dropped_bound(std::span<const Point> points, double error) {
   return exact_extents_bound(length_bound(box.x1 - box.x0, box.y1 - box.y0), error);
 }
 
+// Does the rounded region keep a polygon without one of its holes?
+bool has_lost_hole(const ExactRegion& exact, const RoundedRegion& rounded) {
+  if (rounded.parts_dropped == 0) {
+    return false;
+  }
+  std::vector<std::size_t> holes;  // of each polygon
+  for (const RegionPart& part : exact.parts) {
+    if (part.kind == PartKind::outer) {
+      holes.push_back(0);
+    } else if (part.kind == PartKind::hole) {
+      ++holes[part.polygon];
+    }
+  }
+  std::size_t wanted = 0;
+  std::size_t kept = 0;
+  for (const RegionPart& ring : rounded.parts) {
+    if (ring.kind == PartKind::outer) {
+      const std::size_t vertex = rounded.exact_indices[ring.first];
+      const auto part =
+          std::partition_point(exact.parts.begin(), exact.parts.end(),
+                               [&](const RegionPart& other) { return other.end() <= vertex; });
+      wanted += holes[part->polygon];
+    } else if (ring.kind == PartKind::hole) {
+      ++kept;
+    }
+  }
+  return kept < wanted;
+}
+
+enum class Safe { outward, inward };
+
 class SafeRounder {
  public:
-  SafeRounder(const RegionWithSquare& with_square, Task& task, Tally& tally)
-      : with_square_(with_square), task_(task), tally_(tally) {}
+  SafeRounder(Safe way, const RegionWithSquare& with_square, Task& task, Tally& tally)
+      : way_(way), with_square_(with_square), task_(task), tally_(tally) {}
 
   // The rings of the region on the safe side of the exact ones. Nothing if all of a few widths of
   // the square are too small.
@@ -104,22 +137,30 @@ class SafeRounder {
     for (const RoundedPolygon& polygon : polygons) {
       const ExactRegion exact = with_square_(polygon.polygon, square(d));
       const RoundedRegion rounded = round_to_nearest(exact, false, task_, tally_);
-      if (!(sum_bound(nearest.displacement, rounded.displacement) < d)) {
+      if (!(sum_bound(nearest.displacement, rounded.displacement) < d) ||
+          (way_ == Safe::inward && has_lost_hole(exact, rounded))) {
         return std::nullopt;
       }
       safe.displacement = std::max(safe.displacement, rounded.displacement);
       furthest = std::max(furthest, distance_from_region(exact, task_, tally_));
       safe.vertices_repaired += rounded.vertices_repaired;
       for (const RegionPart& part : rounded.parts) {
-        if (part.is_ring()) {
-          add(rounded, part, number, safe);
+        std::vector<std::size_t> vertices;  // of `nearest`
+        for (std::size_t k = part.first; k < part.end(); ++k) {
+          const RingVertex& vertex =
+              exact.vertices[static_cast<std::size_t>(rounded.exact_indices[k])];
+          vertices.push_back(polygon.first + vertex_of_edge(exact, vertex));
         }
-      }
-      for (const std::uint64_t index : rounded.exact_indices) {
-        const std::size_t vertex =
-            polygon.first + vertex_of_edge(exact, exact.vertices[static_cast<std::size_t>(index)]);
-        is_left[vertex] = true;
-        safe.exact_indices.push_back(nearest.exact_indices[vertex]);
+        const bool is_outside = way_ == Safe::outward && part.kind == PartKind::hole &&
+                                vertices.front() < nearest.parts.front().size;
+        if (!part.is_ring() || is_outside) {
+          continue;
+        }
+        add(rounded, part, number, safe);
+        for (const std::size_t vertex : vertices) {
+          is_left[vertex] = true;
+          safe.exact_indices.push_back(nearest.exact_indices[vertex]);
+        }
       }
       number = safe.parts.empty() ? 0 : safe.parts.back().polygon + 1;
     }
@@ -153,6 +194,7 @@ class SafeRounder {
                          begin + static_cast<std::ptrdiff_t>(part.size));
   }
 
+  Safe way_;
   const RegionWithSquare& with_square_;
   Task& task_;
   Tally& tally_;
@@ -206,9 +248,10 @@ RoundedRegion island_inward(const ExactRegion& island, const RegionWithSquare& f
     return nearest;
   }
   if (nearest.parts_dropped > 0) {
-    throw Error(Status::range, "an obstacle inside the region is too small for doubles");
+    throw Error(Status::range,
+                "an obstacle inside the region, or the room round it, is too thin for doubles");
   }
-  if (auto safe = SafeRounder(fits_of, task, tally).run(nearest)) {
+  if (auto safe = SafeRounder(Safe::inward, fits_of, task, tally).run(nearest)) {
     return std::move(*safe);
   }
   RoundedRegion nothing;
@@ -283,7 +326,7 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
   RoundedRegion safe;
   if (region.parts.size() == 1) {
     safe = std::move(nearest);
-  } else if (auto grown = SafeRounder(sum_with, task, tally).run(nearest)) {
+  } else if (auto grown = SafeRounder(Safe::outward, sum_with, task, tally).run(nearest)) {
     safe = std::move(*grown);
   } else {
     throw Error(Status::range, "no region of doubles close to the exact one was found");

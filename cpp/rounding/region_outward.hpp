@@ -24,7 +24,7 @@ RoundedRegion round_region_outward(const ExactRegion& region, const OuterFaceOf&
                                    const RegionWithSquare& sum_with, Task& task, Tally& tally);
 
 // The same inward. An island that is too thin for doubles is dropped. Throws Error: range, too, if
-// an obstacle inside an island is too small for doubles.
+// an obstacle inside an island, or the room round it, is too thin for doubles.
 RoundedRegion round_region_inward(const ExactRegion& region, const RegionWithSquare& fits_of,
                                   Task& task, Tally& tally);
 

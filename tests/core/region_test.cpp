@@ -101,6 +101,46 @@ TEST(Region, IsRoundedToTheSafeSide) {
   EXPECT_GT(rounded_rings, 500U);
 }
 
+// Obstacle and container are some units in the last place large. What is free has no room for its
+// doubles without the obstacle.
+TEST(Region, InwardKeepsObstacles) {
+  const double far = 0x1p52;
+  const PolygonRings container{{{far - 2, far + 13}, {far - 12, far - 9}, {far + 13, far - 6}},
+                               {{far, far}, {far - 1, far - 1}, {far + 1, far - 1}}};
+  const PolygonRings part{{{0, 0}, {0.5, 0}, {0.5, 0.5}, {0, 0.5}}};
+  RegionOptions options;
+  options.rounding = Rounding::outward;
+  const Region region = test::fit_region(container, part, {0, 0}, options);
+  ASSERT_EQ(region.exact.parts.size(), 2U);
+  EXPECT_NE(region.rounded.parts.size(), 1U);
+}
+
+// A pocket behind a slit of two units in the last place, and a hole whose corners are thirds. The
+// slit stays open in the outer ring.
+TEST(Region, OutwardHasNoHolesOutside) {
+  const double slit = 4 + 0x1p-50;
+  const PolygonRings a{{{0, 0},
+                        {12, 0},
+                        {12, 7},
+                        {0, 7},
+                        {0, slit},
+                        {1, slit},
+                        {1, 6},
+                        {4, 6},
+                        {4, 1},
+                        {1, 1},
+                        {1, 3},
+                        {0, 3}},
+                       {{6, 1}, {10, 2}, {7, 6}}};
+  const PolygonRings square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+  RegionOptions options;
+  options.rounding = Rounding::outward;
+  const Region region = test::sum_region(a, square, {0, 0}, options);
+  EXPECT_EQ(region.rounded.parts.size(), 2U);
+  EXPECT_EQ(region.rounded.parts.front().size, 12U);
+  EXPECT_NO_THROW(static_cast<void>(test::rounded_polygons(region.rounded)));
+}
+
 // The middles of edges are on them, up to rounding; a corner of a ring is on the boundary.
 TEST(Region, LocatesItsCorners) {
   for_each_case(40, [](const test::RegionCase& c) {

@@ -922,8 +922,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_entrance_region(const gcv_polygon *a, const
  * @param out        the new region, the caller's. In its sources, a is an index in `container`
  *                   and b one in `moving`.
  * @return as gcv_no_fit_region; GCV_ERR_INVALID_ARGUMENT also for a tolerance above 0 and for
- *         GCV_LEAVE_OUT_HOLES; GCV_ERR_RANGE also where, with GCV_ROUND_OUTWARD, a hole is too
- *         thin for doubles. A region without parts is GCV_OK.
+ *         GCV_LEAVE_OUT_HOLES; GCV_ERR_RANGE also where, with GCV_ROUND_OUTWARD, a hole or the room
+ *         round it is too thin for doubles. A region without parts is GCV_OK.
  * Exactness: as gcv_no_fit_region; with GCV_ROUND_OUTWARD the returned region lies inside the
  * exact one. Cost: as a sum of the two polygons. Threads: any. @since 0.2
  */
@@ -1641,8 +1641,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_scene_polygon(const gcv_scene *scene, uint6
  *         or where neither a window nor a container bounds the region; GCV_ERR_NOT_FINITE;
  *         GCV_ERR_RANGE where a coordinate of the result is no finite double, where the window is
  *         too large, or too far from the rest, for doubles to tell its sides apart, and, with
- *         GCV_ROUND_OUTWARD, where a hole is too small for doubles; GCV_ERR_CANCELLED;
- *         GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
+ *         GCV_ROUND_OUTWARD, where a hole or the room round it is too thin for doubles;
+ *         GCV_ERR_CANCELLED; GCV_ERR_NO_MEMORY; GCV_ERR_INTERNAL.
  * Exactness: as gcv_inner_fit_region. Cost: that of the inner fit of a container with all vertices
  * of the members that can be reached. Threads: any. @since 0.2
  */
