@@ -95,12 +95,14 @@ class BestFree {
 
   void compare(const PlacesOnLine& places, const ExactPoint& point, const RelativeLine& line,
                const Interval& parameter, const std::optional<Place>& place) {
-    const Interval distance = distance_at(line, parameter);
-    if (found_ && (point == found_->point || !is_before(point, distance))) {
+    compare({point, distance_at(line, parameter), places.line().edge, parameter, place});
+  }
+  void compare(const FreePlace& place) {
+    if (found_ && (place.point == found_->point || !is_before(place.point, place.distance))) {
       return;
     }
-    found_ = {point, distance, places.line().edge, parameter, place};
-    reach_ = std::min(reach_, distance.hi);
+    found_ = place;
+    reach_ = std::min(reach_, place.distance.hi);
   }
 
   const Operands& operands_;
@@ -200,14 +202,20 @@ constexpr std::uint64_t steps_a_poll = 1U << 12;
 class FurthestFree : public BestFree<FurthestFree> {
  public:
   FurthestFree(const Operands& operands, const WantedParts& wanted, EdgeCover& cover,
-               const NearestEdges& edges, const Point& direction,
-               const FreePlaceSearch::IsWanted& is_fit_wanted, Tally& tally)
+               const NearestEdges& edges, const Point& direction, const FreePlaceSearch::Wish& wish,
+               Tally& tally)
       : BestFree(operands, wanted, cover, edges, infinity, tally),
         direction_(direction),
-        is_fit_wanted_(is_fit_wanted) {}
+        wish_(wish) {}
 
-  // On edges that do not lead on, all others are less far.
   Place ring(const PlacesOnLine& places, const Place& from) {
+    if (wish_.is_for_corners) {
+      const Place to = end_of_ring(places, from);
+      take_wanted(places, from);
+      take_wanted(places, to);
+      return to;
+    }
+    // On edges that do not lead on, all others are less far.
     take(places, from);
     return places.end();
   }
@@ -223,21 +231,23 @@ class FurthestFree : public BestFree<FurthestFree> {
 
  private:
   bool take_wanted(const PlacesOnLine& places, const Place& place) {
-    const RelativeLine line = relative_line(places);
-    const bool is_wanted = !(distance_at(line, parameters_of(line, place)).lo > reach()) &&
-                           is_fit_wanted_(exact_point(places.line().at, place));
+    const FreePlace free = free_place(places, place);
+    const bool is_wanted = !(free.distance.lo > reach()) && wish_.is_wanted(free);
     if (is_wanted) {
-      take(places, place);
+      compare(free);
     }
     return is_wanted;
   }
-  void take(const PlacesOnLine& places, const Place& place) {
+  void take(const PlacesOnLine& places, const Place& place) { compare(free_place(places, place)); }
+  [[nodiscard]] FreePlace free_place(const PlacesOnLine& places, const Place& place) const {
     const RelativeLine line = relative_line(places);
-    compare(places, exact_point(places.line().at, place), line, parameters_of(line, place), place);
+    const Interval parameter = parameters_of(line, place);
+    return {exact_point(places.line().at, place), distance_at(line, parameter), places.line().edge,
+            parameter, place};
   }
 
   const Point direction_;
-  const FreePlaceSearch::IsWanted& is_fit_wanted_;
+  const FreePlaceSearch::Wish& wish_;
 };
 
 }  // namespace
@@ -301,11 +311,10 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeB
 // The furthest place of a ring, the lexicographically smallest of several, begins an edge that
 // leads back, or neither on nor back and to lexicographically larger ones. So do segments, for one
 // of two opposite directions.
-std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction,
-                                                   const IsWanted& is_fit_wanted, Task& task,
-                                                   std::uint64_t step) {
+std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, const Wish& wish,
+                                                   Task& task, std::uint64_t step) {
   nearest_edges_.set_goal(Goal::far(direction));
-  FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, is_fit_wanted, tally_);
+  FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, wish, tally_);
   known_.clear();
   const auto leads_on = [&](const PairEdge& s) {
     const auto [from, to] = operands_.source(s);
@@ -313,7 +322,8 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction,
     return sign > 0 || (sign == 0 && lexicographically_less(to, from));
   };
   nearest_edges_.for_each(
-      best.reach(), [&](const PairEdge& s) { return leads_on(s) || known_.hold(s); },
+      best.reach(),
+      [&](const PairEdge& s) { return (!wish.is_for_corners && leads_on(s)) || known_.hold(s); },
       [&](const PairEdge& s) { cover_.walk(s, best); },
       [&] {
         task.advance(step);

@@ -16,15 +16,10 @@ UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) cons
   return usable_position(place, {0, 0}, tally, NearbySceneRelations(questions_, tally));
 }
 
-// Goes into the middles of what is free around the place, by distances that double, up to 2^20
-// units in the last place.
-UsablePosition FreePositions::usable_along(const ExactPoint& place, const std::vector<Point>& ways,
-                                           Tally& tally) const {
-  const UsablePosition nearest = usable(place, tally);
-  const auto& [position, relation] = nearest;
-  if (relation != Relation::overlapping) {
-    return nearest;
-  }
+// By distances that double, up to 2^20 units in the last place.
+std::optional<UsablePosition> FreePositions::free_along(const Point& position,
+                                                        const std::vector<Point>& ways,
+                                                        Tally& tally) const {
   const double unit = std::max(unit_in_last_place(position.x), unit_in_last_place(position.y));
   constexpr int furthest_step = 20;
   for (int step = 1; step <= furthest_step; ++step) {
@@ -35,12 +30,27 @@ UsablePosition FreePositions::usable_along(const ExactPoint& place, const std::v
       if (std::isfinite(other.x) && std::isfinite(other.y)) {
         const Relation there = questions_.relation(other, tally);
         if (there != Relation::overlapping) {
-          return {other, there};
+          return UsablePosition{other, there};
         }
       }
     }
   }
-  return nearest;
+  return std::nullopt;
+}
+
+// Goes into the middles of what is free around the place. Where this begins with an edge that is
+// shorter than the gaps between doubles, these may lead out of it soon.
+UsablePosition FreePositions::usable_along(const ExactPoint& place, const std::vector<Point>& ways,
+                                           const Point& back, Tally& tally) const {
+  const UsablePosition nearest = usable(place, tally);
+  if (nearest.relation != Relation::overlapping || ways.empty()) {
+    return nearest;
+  }
+  std::optional<UsablePosition> free = free_along(nearest.position, ways, tally);
+  if (!free) {
+    free = free_along(nearest.position, {back}, tally);
+  }
+  return free.value_or(nearest);
 }
 
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
@@ -48,20 +58,42 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   const JoinedSolids solids = join_solids(scene_, query_, reflected_, std::nullopt);
   const Operands operands{*solids.boundary, reflected_,
                           merge_directions(*solids.boundary, reflected_, tally)};
-  const auto furthest_of = [&](const FreePlaceSearch::IsWanted& is_fit_wanted) {
-    FreePlaceSearch search(operands, wanted_, tally);
-    const std::optional<FreePlace> place = search.furthest(direction, is_fit_wanted, task, 1);
-    return place ? std::optional(usable_along(place->point, search.ways_off(*place), tally))
-                 : std::nullopt;
+  const auto position_of = [&](FreePlaceSearch& search, const FreePlace& place) {
+    return usable_along(place.point, search.ways_off(place), {-direction.x, -direction.y}, tally);
   };
-  // Fits that no doubles show are passed over. Where nothing else is free, they count.
+  // Fits that no doubles show are passed over.
   bool are_all_shown = true;
-  const std::optional<UsablePosition> shown = furthest_of([&](const ExactPoint& fit) {
-    const bool is_shown = usable(fit, tally).relation != Relation::overlapping;
-    are_all_shown = are_all_shown && is_shown;
-    return is_shown;
-  });
-  return shown || are_all_shown ? shown : furthest_of([](const ExactPoint&) { return true; });
+  FreePlaceSearch search(operands, wanted_, tally);
+  std::optional<FreePlace> place = search.furthest(
+      direction,
+      [&](const FreePlace& fit) {
+        const bool is_shown = usable(fit.point, tally).relation != Relation::overlapping;
+        are_all_shown = are_all_shown && is_shown;
+        return is_shown;
+      },
+      task, 1);
+  if (place) {
+    const UsablePosition position = position_of(search, *place);
+    if (position.relation != Relation::overlapping) {
+      return position;
+    }
+    // So are corners, where that of what is free is narrower than the gaps between doubles.
+    FreePlaceSearch near(operands, wanted_, tally);
+    const std::optional<FreePlace> shown = search.furthest_wanted(
+        direction,
+        [&](const FreePlace& other) {
+          return position_of(near, other).relation != Relation::overlapping;
+        },
+        task, 1);
+    return shown ? position_of(near, *shown) : position;
+  }
+  if (are_all_shown) {
+    return std::nullopt;
+  }
+  // Where nothing else is free, they count.
+  place = search.furthest(
+      direction, [](const FreePlace&) { return true; }, task, 1);
+  return place ? std::optional(usable(place->point, tally)) : std::nullopt;
 }
 
 }  // namespace gcv

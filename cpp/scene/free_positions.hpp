@@ -44,9 +44,14 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
-  // The same, or the nearest free position found on one of the ways.
+  // The same of a furthest place, or the nearest free position found on one of the ways: those off
+  // the place, or the one back.
   [[nodiscard]] UsablePosition usable_along(const ExactPoint& place, const std::vector<Point>& ways,
-                                            Tally& tally) const;
+                                            const Point& back, Tally& tally) const;
+  // The nearest free position on one of the ways.
+  [[nodiscard]] std::optional<UsablePosition> free_along(const Point& position,
+                                                         const std::vector<Point>& ways,
+                                                         Tally& tally) const;
 
   const Scene& scene_;
   const Query& query_;

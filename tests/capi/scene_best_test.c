@@ -214,6 +214,32 @@ static void slides_between_doubles(void) {
   gcv_polygon_destroy(wall);
 }
 
+/* A slot over a room, wider than the part by less than the gaps between doubles: no double shows
+ * that it fits. Where the slot widens, doubles near its end do. */
+static void passes_over_slivers(void) {
+  gcv_polygon *room = POLYGON(0, 0, 10, 0, 10, 2, 0.2, 2, 0.2, 5, 0.1, 5, 0.1, 2, 0, 2);
+  gcv_polygon *part = POLYGON(-1, 0, -0.9, 0, -0.9, 1, -1, 1);
+  gcv_polygon *wedge = POLYGON(0.1, 0, 0.2, 0, 2.7, 5, 7, 5, 7, 6, 0.1, 6);
+  gcv_polygon *flat = POLYGON(-1, 0, -0.9, 0, -0.9, 0.1, -1, 0.1);
+  gcv_scene *scene = scene_in(room);
+  const double down[2] = {0, -1};
+  double out[2] = {77, 77};
+  int32_t found = 77;
+  int8_t relation = 77;
+  CHECK(best_is(scene, part, 0, 1, NULL, 1, 1));
+  CHECK(best_is(scene, part, 0, -1, NULL, 1, 0));
+  CHECK_OK(gcv_scene_set_container(scene, wedge));
+  CHECK_OK(gcv_scene_best(scene, flat, down, NULL, NULL, out, &found));
+  CHECK(found == 1 && out[0] == 1.1 && out[1] > 0 && out[1] < 1e-15);
+  CHECK_OK(gcv_scene_relation(scene, flat, out, 1, NULL, NULL, &relation));
+  CHECK(relation != GCV_OVERLAPPING);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(room);
+  gcv_polygon_destroy(part);
+  gcv_polygon_destroy(wedge);
+  gcv_polygon_destroy(flat);
+}
+
 static void what_is_refused(void) {
   static const double directions[][2] = {{0, 0}, {-0.0, 0}, {NAN, 1}, {1, INFINITY}};
   const uint64_t one = 1;
@@ -267,6 +293,7 @@ int main(void) {
   positions_between_doubles();
   fits_between_doubles();
   slides_between_doubles();
+  passes_over_slivers();
   what_is_refused();
   return check_failures != 0;
 }

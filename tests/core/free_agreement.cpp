@@ -96,16 +96,18 @@ std::string best_difference(const RelationAt& relation_at, const Point& got, con
                  : distant_position_difference(relation_at, got, wanted, counts);
 }
 
+// Is a double near the place free?
+bool is_shown(const RelationAt& relation_at, const Exact& p) {
+  ContactCounts none;
+  return !position_difference(relation_at, invariants::nearest(p).data(), reference::overlapping, p,
+                              none)
+              .empty();
+}
+
 // The furthest point, of several the lexicographically smallest; of fits, those alone that doubles
 // show, if there is a relation.
 std::optional<Exact> furthest(const ExactParts& whole, const Point& direction,
                               const std::optional<RelationAt>& relation_at, FreeCounts& counts) {
-  const auto is_shown = [&](const Exact& p) {
-    ContactCounts none;
-    return !position_difference(*relation_at, invariants::nearest(p).data(), reference::overlapping,
-                                p, none)
-                .empty();
-  };
   std::optional<Exact> found;
   for (const ExactPart& part : whole) {
     const bool is_fit = part.kind >= GCV_PART_SEGMENT;
@@ -113,12 +115,30 @@ std::optional<Exact> furthest(const ExactParts& whole, const Point& direction,
       const int order = found ? sign(dot(exact(direction), p - *found)) : 1;
       const bool is_further = order > 0 || (order == 0 && p < *found);
       counts.ties += order == 0 && !(p == *found) ? 1 : 0;
-      if (is_further && (!is_fit || !relation_at || is_shown(p))) {
+      if (is_further && (!is_fit || !relation_at || is_shown(*relation_at, p))) {
         found = p;
       }
     }
   }
   return found;
+}
+
+// Is it a free position near a corner, and has no corner that is further a free double near it?
+bool passes_over(const ExactParts& whole, const Point& direction, const RelationAt& relation_at,
+                 const Point& got) {
+  std::vector<Exact> all;
+  for (const ExactPart& part : whole) {
+    all.insert(all.end(), part.points.begin(), part.points.end());
+  }
+  return relation_at(exact(got)) != reference::overlapping &&
+         std::any_of(all.begin(), all.end(), [&](const Exact& p) {
+           FreeCounts none;
+           return best_difference(relation_at, got, p, none).empty() &&
+                  std::none_of(all.begin(), all.end(), [&](const Exact& q) {
+                    const int order = sign(dot(exact(direction), q - p));
+                    return (order > 0 || (order == 0 && q < p)) && is_shown(relation_at, q);
+                  });
+         });
 }
 
 // The point of the segment that is nearest.
@@ -286,8 +306,10 @@ Messages check_best(const FreeQuestion& question, const ExactParts& whole, const
       ++counts.none;
       report(messages, direction, found == 0 && got == Point{0, 0} ? "" : "found, but not there");
     } else {
+      const std::string difference =
+          found == 1 ? best_difference(relation_at, got, *wanted, counts) : "not found";
       report(messages, direction,
-             found == 1 ? best_difference(relation_at, got, *wanted, counts) : "not found");
+             found == 1 && passes_over(whole, direction, relation_at, got) ? "" : difference);
     }
   }
   return messages;

@@ -95,7 +95,7 @@ export class Scene extends SceneMembers {
   /**
    * The free position that is furthest in a direction, null where nothing is free. [-1, 0] places
    * bottom-left: leftmost, and of these lowest. There must be a container. The position overlaps
-   * nothing, unless all that is free are exact fits that no numbers show: then relation tells.
+   * nothing, unless no numbers show what is free: then relation tells.
    */
   best(
     moving: PolygonLike,

@@ -99,7 +99,8 @@ class Places(Questions):
         polygon overlaps nothing there: within 2 ulps of the exact one where such a position
         is free, otherwise the nearest one found on the way into what is free around, within
         2^20 ulps. An exact fit that no floats within 2 ulps show, as between slanted edges,
-        or between decimal fractions, is passed over, for the position that is furthest else.
+        or between decimal fractions, is passed over, and so is a corner where what is free
+        is narrower than the gaps between floats, for the corner or fit that is furthest else.
         Where nothing else is free, it is the one nearest to the exact position, where
         relation tells OVERLAPPING.
 

@@ -85,8 +85,9 @@ impl Scene {
     /// Which position it is, is decided exactly. In `f64` it is within 2 ulps of the exact one,
     /// and the polygon overlaps nothing there, if there is such a position. Otherwise it is the
     /// nearest one that was found on the way into what is free around, within 2^20 ulps. An exact
-    /// fit that no `f64` within 2 ulps shows is passed over, for the position that is furthest
-    /// else. Where nothing else is free, it is the `f64` nearest to the exact one, and the polygon
+    /// fit that no `f64` within 2 ulps shows is passed over, and so is a corner where what is free
+    /// is narrower than the gaps between `f64`, for the corner or fit that is furthest else. Where
+    /// nothing else is free, it is the `f64` nearest to the exact one, and the polygon
     /// overlaps there: [`Scene::relation`] tells.
     ///
     /// ```
