@@ -13,7 +13,8 @@ void give_stats(const Counts& counts, std::uint64_t vertices_repaired, std::uint
   constexpr std::size_t first_size = offsetof(gcv_stats, parts_dropped);
   const std::uint32_t size = out->struct_size;
   if (size < first_size) {
-    throw Error(Status::invalid_argument, "stats: struct_size is %u, less than %zu", size,
+    throw Error(Status::invalid_argument,
+                "stats: struct_size is %u, less than %zu; set it to sizeof(gcv_stats)", size,
                 first_size);
   }
   // The bytes between the members are written too.

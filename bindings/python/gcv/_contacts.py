@@ -138,7 +138,9 @@ class Impact(NamedTuple):
     contact: Optional[Contact]
     """What is hit, with gap 0; None without a hit and where they overlap at the start.
 
-    Of several, the one with the smallest kind, then a, then b.
+    Of several, the one with the smallest kind, then a, then b. Where two vertices meet, its normal
+    is (0, 0): contacts at `position` has those of the edges beside them, with a distance of some
+    ulps where `relation` is APART.
     """
     id: int = 0
     """In a scene, of what is hit, also without a contact; 0 without a hit."""

@@ -340,7 +340,8 @@ def _only_geometry(parts: Any) -> Any:
     if len(parts) != 1:
         kinds = Counter(str(_kind(part)) for part in parts)
         found = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
-        raise invalid(f"a GeometryCollection of {found} is not one polygon")
+        hint = "; Polygon.many reads its polygons" if len(parts) > 1 else ""
+        raise invalid(f"a GeometryCollection of {found} is not one polygon{hint}")
     return parts[0]
 
 

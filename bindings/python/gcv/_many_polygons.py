@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, Union
 
 from . import _ffi
@@ -18,7 +19,8 @@ from ._sources import iterable, read
 
 def many_polygons(sources: Any, return_errors: bool) -> ResultList[Any]:
     """The polygons of sources, or their errors in their places."""
-    names = "sources", "polygon {}"
+    file = f"{sources}: ".replace("{", "{{").replace("}", "}}") if isinstance(sources, Path) else ""
+    names = "sources", file + "polygon {}"
     column = column_of(sources, *names) or collection_of(sources, *names)
     results = _polygons(sources) if column is None else column.polygons
     origin = origin_of(sources, column)

@@ -183,7 +183,8 @@ def test_regions_with_fits() -> None:
     region = gcv.no_fit_region(frame, [(0, 0), (2, 0), (2, 2), (0, 2)])
     check_refused(
         lambda: gcv.Polygon(region),
-        "polygon: a GeometryCollection of 1 Polygon, 1 Point is not one polygon",
+        "polygon: a GeometryCollection of 1 Polygon, 1 Point is not one polygon; "
+        "Polygon.many reads its polygons",
     )
     geometry = {"type": "GeometryCollection", "geometries": []}
     check_refused(lambda: gcv.Polygon(geometry), ".*Collection of nothing is not one polygon")

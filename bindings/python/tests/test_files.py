@@ -85,6 +85,14 @@ def test_many_in_text(tmp_path: Path) -> None:
     assert read(tmp_path, json.dumps(multi), "--pick-a", "1") == [square]
 
 
+def test_many_names_the_file(tmp_path: Path) -> None:
+    path = tmp_path / "{bow}.wkt"
+    path.write_text(f"POLYGON ({CORNER}) POLYGON ((0 0, 2 2, 2 0, 0 2))")
+    with pytest.raises(gcv.InputError) as raised:
+        gcv.Polygon.many(path)
+    assert str(raised.value).startswith(f"{path}: polygon 1: edges 0 and 2 meet")
+
+
 @pytest.mark.parametrize(
     ("text", "reason"),
     [

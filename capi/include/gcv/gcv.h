@@ -45,7 +45,8 @@
  * Ownership. A handle given through an output argument belongs to the caller, who
  * ends it with the matching destroy function. Destroying NULL does nothing. Handles
  * do not depend on one another: a polygon may be destroyed before an outer face or a region
- * that was computed from it.
+ * that was computed from it. Where an array of `const gcv_polygon *` is taken, C wants a cast of
+ * an array of `gcv_polygon *`: (const gcv_polygon *const *)polygons.
  *
  * Buffers. Buffers are the caller's, and are passed as (out, capacity, &required):
  * capacity counts elements (vertices, edges, or bytes for text). *required is set
@@ -1279,8 +1280,8 @@ typedef struct gcv_impact {
   double position[2];
   /** What is hit, with gap 0; of several, the smallest kind, then a, then b. An edge is hit between
    *  its ends. Where two vertices meet, that is their contact, with the normal 0 0: gcv_contacts at
-   *  `position` has those of the edges beside them. All 0 without a hit, and where B overlaps A at
-   *  the start. */
+   *  `position` has those of the edges beside them, with a distance of some units in the last place
+   *  where `relation` is GCV_APART. All 0 without a hit, and where B overlaps A at the start. */
   gcv_contact contact;
 } gcv_impact;
 
