@@ -105,6 +105,15 @@ class BestFree {
     reach_ = std::min(reach_, place.distance.hi);
   }
 
+  // Is it better than the one that is found?
+  bool is_before(const ExactPoint& point, const Interval& distance) {
+    if (distance.hi < found_->distance.lo || distance.lo > found_->distance.hi) {
+      return distance.hi < found_->distance.lo;
+    }
+    const int order = best().compare_exactly(point, found_->point);
+    return order < 0 || (order == 0 && compare_lexicographically(point, found_->point, tally_) < 0);
+  }
+
   const Operands& operands_;
   EdgeCover& cover_;
   const NearestEdges& edges_;
@@ -113,14 +122,6 @@ class BestFree {
 
  private:
   Best& best() { return static_cast<Best&>(*this); }
-
-  bool is_before(const ExactPoint& point, const Interval& distance) {
-    if (distance.hi < found_->distance.lo || distance.lo > found_->distance.hi) {
-      return distance.hi < found_->distance.lo;
-    }
-    const int order = best().compare_exactly(point, found_->point);
-    return order < 0 || (order == 0 && compare_lexicographically(point, found_->point, tally_) < 0);
-  }
 
   const WantedParts wanted_;
   double reach_;
@@ -232,6 +233,9 @@ class FurthestFree : public BestFree<FurthestFree> {
  private:
   bool take_wanted(const PlacesOnLine& places, const Place& place) {
     const FreePlace free = free_place(places, place);
+    if (found() && !is_before(free.point, free.distance)) {
+      return true;  // as far as that matters
+    }
     const bool is_wanted = !(free.distance.lo > reach()) && wish_.is_wanted(free);
     if (is_wanted) {
       compare(free);

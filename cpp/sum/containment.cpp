@@ -126,6 +126,14 @@ void for_each_edge(const ChordTree& tree, MayMeet may_meet, Visit visit) {
   }
 }
 
+// A solid of A and the first vertex of B, with its edges; or the other way round, without.
+struct SolidAt {
+  Index first;
+  Index end;
+  bool is_inside;  // is what its rings hold covered?
+  PointInRings rings;
+};
+
 }  // namespace
 
 Containment containment_at(const Operands& operands, const PlacesOnLine& places, const Place& place,
@@ -151,6 +159,8 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
   // The first vertex of B is at 0.
   const Box near{around.x0 - box_b.x1, around.y0 - box_b.y1, around.x1 - box_b.x0,
                  around.y1 - box_b.y0};
+  boost::container::small_vector<SolidAt, 4> solids;
+  Box box_of_all = empty_box;
   a.cover_index().solids.for_each_near(near, [&](Index solid, const Box& box) {
     const Index first = a.layout.begin(a.solids[solid]);
     if (first >= seen) {
@@ -165,23 +175,39 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
             return ahead.may_meet({p.x + edges.x0, p.y + edges.y0, p.x + edges.x1, p.y + edges.y1});
           },
           [&](Index j) { rings.pass(operands.corner(first, j)); });
-      add(rings, true);
+      solids.push_back({0, 0, true, rings});
     }
-    if (are_apart(around, box)) {
-      return;
+    if (!are_apart(around, box)) {
+      box_of_all = hull_of(box_of_all, box);
+      solids.push_back({first, a.layout.end(a.solid_end(solid) - 1),
+                        solid != 0 || a.kind == Boundary::Kind::outer,
+                        PointInRings(operands, places, place, tally)});
     }
-    PointInRings rings(operands, places, place, tally);
-    const Index end = a.layout.end(a.solid_end(solid) - 1);
+  });
+  boost::container::small_vector<SolidAt*, 4> by_first;
+  for (SolidAt& solid : solids) {
+    if (solid.end > 0) {
+      by_first.push_back(&solid);
+    }
+  }
+  std::sort(by_first.begin(), by_first.end(),
+            [](const SolidAt* p, const SolidAt* q) { return p->first < q->first; });
+  if (!by_first.empty()) {
     for_each_edge(
         a.cover_index().chords,
-        [&](const Box& edges) { return !are_apart(edges, box) && ahead.may_meet(edges); },
+        [&](const Box& edges) { return !are_apart(edges, box_of_all) && ahead.may_meet(edges); },
         [&](Index i) {
-          if (i >= first && i < end) {
-            rings.pass(operands.translated(i, 0));
+          const auto next =
+              std::upper_bound(by_first.begin(), by_first.end(), i,
+                               [](Index k, const SolidAt* p) { return k < p->first; });
+          if (next != by_first.begin() && i < (*(next - 1))->end) {
+            (*(next - 1))->rings.pass(operands.translated(i, 0));
           }
         });
-    add(rings, solid != 0 || a.kind == Boundary::Kind::outer);
-  });
+  }
+  for (const SolidAt& solid : solids) {
+    add(solid.rings, solid.is_inside);
+  }
   return result;
 }
 

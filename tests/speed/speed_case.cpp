@@ -244,10 +244,11 @@ void run(const Pair& pair, bool is_region) {
   gcv_polygon_destroy(a);
 }
 
-// Octagons and stars all over a square, added in no order.
+// Octagons and stars all over a square, or from its corner on as far as `spread`, in no order.
 class Scene {
  public:
-  Scene(Random& random, int members, double side) {
+  Scene(Random& random, int members, double side) : Scene(random, members, side, side) {}
+  Scene(Random& random, int members, double side, double spread) {
     gcv_polygon* container = nullptr;
     require(gcv_scene_create(&scene_));
     const Polygon square{{0, 0}, {side, 0}, {side, side}, {0, side}};
@@ -255,8 +256,8 @@ class Scene {
     require(gcv_scene_set_container(scene_, container));
     gcv_polygon_destroy(container);
     for (int k = 0; k < members; ++k) {
-      const double x = uniform(random, 0, 1000) * side / 1000;
-      add(k % 2 == 0 ? octagon : parts().a, {x, uniform(random, 0, 1000) * side / 1000});
+      const double x = uniform(random, 0, 1000) * spread / 1000;
+      add(k % 2 == 0 ? octagon : parts().a, {x, uniform(random, 0, 1000) * spread / 1000});
     }
     const Polygon moving = parts().b;
     require(gcv_polygon_create(moving.front().data(), moving.size(), 0, &moving_));
@@ -343,6 +344,11 @@ void free_region_of_scene() {
   Random random(5);
   Scene(random, 200, 1100).find_free_region();
 }
+// Members that lie nearly on each other.
+void free_region_of_pile() {
+  Random random(10);
+  Scene(random, 100, 200, 0.125).find_free_region();
+}
 void best_in_scene() {
   Random random(6);
   Scene(random, 300, 600).find_best();
@@ -370,6 +376,7 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
+    {"scene_free_region_of_pile", free_region_of_pile},
     {"scene_free_region_of_plate", free_region_of_plate},
     {"scene_penetration", ways_out_of_plate}};
 

@@ -1132,7 +1132,8 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_error_bound(const gcv_region *region
 /**
  * The returned polygons as Well-Known Text: always a MULTIPOLYGON, "MULTIPOLYGON (((x y, ...,
  * x y), (hole)), ...)", or "MULTIPOLYGON EMPTY". Rings are closed. Each number has the fewest
- * digits that read back as the same double. Without segments and points.
+ * digits that read back as the same double. Without segments and points. A polygon handle is made
+ * of the rings of a part, by gcv_polygon_create_rings: gcv_polygon_create_wkt reads POLYGON alone.
  *
  * @param text      room for `capacity` bytes; or NULL.
  * @param capacity  in bytes.
