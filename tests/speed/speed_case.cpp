@@ -244,11 +244,10 @@ void run(const Pair& pair, bool is_region) {
   gcv_polygon_destroy(a);
 }
 
-// Octagons and stars all over a square, or from its corner on as far as `spread`, in no order.
+// Octagons and stars all over a square, added in no order.
 class Scene {
  public:
-  Scene(Random& random, int members, double side) : Scene(random, members, side, side) {}
-  Scene(Random& random, int members, double side, double spread) {
+  Scene(Random& random, int members, double side) {
     gcv_polygon* container = nullptr;
     require(gcv_scene_create(&scene_));
     const Polygon square{{0, 0}, {side, 0}, {side, side}, {0, side}};
@@ -256,8 +255,8 @@ class Scene {
     require(gcv_scene_set_container(scene_, container));
     gcv_polygon_destroy(container);
     for (int k = 0; k < members; ++k) {
-      const double x = uniform(random, 0, 1000) * spread / 1000;
-      add(k % 2 == 0 ? octagon : parts().a, {x, uniform(random, 0, 1000) * spread / 1000});
+      const double x = uniform(random, 0, 1000) * side / 1000;
+      add(k % 2 == 0 ? octagon : parts().a, {x, uniform(random, 0, 1000) * side / 1000});
     }
     const Polygon moving = parts().b;
     require(gcv_polygon_create(moving.front().data(), moving.size(), 0, &moving_));
@@ -347,7 +346,24 @@ void free_region_of_scene() {
 // Members that lie nearly on each other.
 void free_region_of_pile() {
   Random random(10);
-  Scene(random, 100, 200, 0.125).find_free_region();
+  const Polygon part = parts().a;
+  gcv_polygon* polygon = nullptr;
+  gcv_scene* scene = nullptr;
+  gcv_region* region = nullptr;
+  require(gcv_polygon_create(part.front().data(), part.size(), 0, &polygon));
+  require(gcv_scene_create(&scene));
+  for (int k = 0; k < 40; ++k) {
+    const gcv_polygon* const added = polygon;
+    const double position[2] = {uniform(random, 0, 1000) / 65536.0,
+                                uniform(random, 0, 1000) / 65536.0};
+    std::uint64_t id = 0;
+    require(gcv_scene_add(scene, &added, position, 1, &id));
+  }
+  const double window[4] = {-100, -100, 100, 100};
+  require(gcv_scene_free_region(scene, polygon, window, nullptr, nullptr, &region));
+  gcv_region_destroy(region);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(polygon);
 }
 void best_in_scene() {
   Random random(6);
