@@ -229,6 +229,15 @@ class FurthestFree : public BestFree<FurthestFree> {
   int compare_exactly(const ExactPoint& p, const ExactPoint& q) {
     return -compare_along(direction_, p, q, tally_);
   }
+  // Is nothing on the edge better than what is found? One of its ends is its best place.
+  [[nodiscard]] bool is_behind(const PairEdge& s) {
+    const auto is_better = [&](const VertexSum& sum) {
+      const double distance = edges_.distance(operands_.relative(sum.i, sum.j));
+      return is_before(ExactPoint::of_sum(operands_.point(sum)),
+                       {distance - 8 * slack_, distance + 8 * slack_});
+    };
+    return found() && !is_better(start_of(s)) && !is_better(end_of(operands_, s));
+  }
 
  private:
   bool take_wanted(const PlacesOnLine& places, const Place& place) {
@@ -327,8 +336,14 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, const
   };
   nearest_edges_.for_each(
       best.reach(),
-      [&](const PairEdge& s) { return (!wish.is_for_corners && leads_on(s)) || known_.hold(s); },
-      [&](const PairEdge& s) { cover_.walk(s, best); },
+      [&](const PairEdge& s) {
+        return (!wish.is_for_corners && leads_on(s)) || best.is_behind(s) || known_.hold(s);
+      },
+      [&](const PairEdge& s) {
+        if (!best.is_behind(s)) {
+          cover_.walk(s, best);
+        }
+      },
       [&] {
         task.advance(step);
         return true;

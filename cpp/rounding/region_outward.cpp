@@ -90,7 +90,7 @@ bool has_lost_hole(const ExactRegion& exact, const RoundedRegion& rounded) {
   std::size_t kept = 0;
   for (const RegionPart& ring : rounded.parts) {
     if (ring.kind == PartKind::outer) {
-      const std::size_t vertex = rounded.exact_indices[ring.first];
+      const std::uint64_t vertex = rounded.exact_indices[ring.first];
       const auto part =
           std::partition_point(exact.parts.begin(), exact.parts.end(),
                                [&](const RegionPart& other) { return other.end() <= vertex; });

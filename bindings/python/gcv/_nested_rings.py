@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cached_property
 from typing import NamedTuple
 
 from ._contacts import Relation
@@ -28,7 +29,9 @@ def polygons_of_rings(rings: list[Ring], *, nonzero: bool = False) -> list[Named
     solids = [make(*ring) for ring in rings]
     turns = [_turn(ring.points) if nonzero else 1 for ring in rings]
     outer: dict[int, list[int]] = {}
-    for k, around in sorted(_around(solids).items(), key=lambda item: len(item[1])):
+    for k, around in sorted(
+        _around(solids, [ring.points for ring in rings]).items(), key=lambda item: len(item[1])
+    ):
         if around:
             # Whatever is inside another ring must not cross it.
             names = f"{solids[around[0]].name} and {solids[k].name}"
@@ -49,12 +52,30 @@ def polygons_of_rings(rings: list[Ring], *, nonzero: bool = False) -> list[Named
     ]
 
 
-def _around(solids: list[NamedPolygon]) -> dict[int, list[int]]:
+class _Size:
+    """Of rings one of which goes round the other: that one is larger."""
+
+    def __init__(self, box: tuple[float, float, float, float], points: Points) -> None:
+        self._box = box
+        self._points = points
+
+    @cached_property
+    def _twice_the_area(self) -> Fraction:
+        return abs(_twice_the_area(self._points))
+
+    def __lt__(self, other: _Size) -> bool:
+        if self._box == other._box:
+            return self._twice_the_area < other._twice_the_area
+        (x0, y0, x1, y1), (left, bottom, right, top) = self._box, other._box
+        return left <= x0 and bottom <= y0 and x1 <= right and y1 <= top
+
+
+def _around(solids: list[NamedPolygon], rings: list[Points]) -> dict[int, list[int]]:
     """The rings around each ring, the smallest first."""
     scene = Scene()
     ids = [scene.add(solid.polygon) for solid in solids]
     numbers = {number: k for k, number in enumerate(ids)}
-    sizes = [(solid.polygon.area, k) for k, solid in enumerate(solids)]
+    sizes = [_Size(solid.polygon.bounds, points) for solid, points in zip(solids, rings)]
     around: dict[int, list[int]] = {k: [] for k in range(len(solids))}
     for pair in scene.pairs():
         if pair.relation == Relation.OVERLAPPING:
@@ -67,6 +88,10 @@ def _around(solids: list[NamedPolygon]) -> dict[int, list[int]]:
 
 def _turn(ring: Points) -> int:
     """1 for a ring that is counter-clockwise, -1 for one that is clockwise."""
+    return 1 if _twice_the_area(ring) > 0 else -1
+
+
+def _twice_the_area(ring: Points) -> Fraction:
     exact = [(Fraction(x), Fraction(y)) for x, y in ring]
-    twice = sum(x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in zip(exact, exact[1:] + exact[:1]))
-    return 1 if twice > 0 else -1
+    pairs = zip(exact, exact[1:] + exact[:1])
+    return sum((x0 * y1 - x1 * y0 for (x0, y0), (x1, y1) in pairs), Fraction())
