@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -111,12 +112,15 @@ class BlockedDirections {
 
   // Leaves out arcs that others hold together. What is blocked stays the same.
   void leave_few() {
-    std::sort(arcs_.begin(), arcs_.end(), [](const DirectionArc& p, const DirectionArc& q) {
-      return p.from != q.from ? p.from < q.from : p.length > q.length;
-    });
+    std::vector<std::uint64_t> keys;  // of two that begin in one direction, the longer first
+    for (const DirectionArc& arc : arcs_) {
+      keys.push_back(std::uint64_t{arc.from} << 32 | static_cast<Rank>(~arc.length));
+    }
+    std::sort(keys.begin(), keys.end());
     const auto end = [](const DirectionArc& arc) { return arc.from + arc.length; };
     std::vector<DirectionArc> few;
-    for (const DirectionArc& arc : arcs_) {
+    for (const std::uint64_t key : keys) {
+      const DirectionArc arc{static_cast<Rank>(key >> 32), ~static_cast<Rank>(key)};
       if (!few.empty() && end(arc) <= end(few.back())) {
         continue;
       }

@@ -184,24 +184,25 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
                         PointInRings(operands, places, place, tally)});
     }
   });
-  boost::container::small_vector<SolidAt*, 4> by_first;
-  for (SolidAt& solid : solids) {
-    if (solid.end > 0) {
-      by_first.push_back(&solid);
+  std::vector<std::uint64_t> by_first;  // with their places in `solids`
+  for (std::size_t k = 0; k < solids.size(); ++k) {
+    if (solids[k].end > 0) {
+      by_first.push_back(std::uint64_t{solids[k].first} << 32 | k);
     }
   }
-  std::sort(by_first.begin(), by_first.end(),
-            [](const SolidAt* p, const SolidAt* q) { return p->first < q->first; });
+  std::sort(by_first.begin(), by_first.end());
   if (!by_first.empty()) {
     for_each_edge(
         a.cover_index().chords,
         [&](const Box& edges) { return !are_apart(edges, box_of_all) && ahead.may_meet(edges); },
         [&](Index i) {
           const auto next =
-              std::upper_bound(by_first.begin(), by_first.end(), i,
-                               [](Index k, const SolidAt* p) { return k < p->first; });
-          if (next != by_first.begin() && i < (*(next - 1))->end) {
-            (*(next - 1))->rings.pass(operands.translated(i, 0));
+              std::lower_bound(by_first.begin(), by_first.end(), (std::uint64_t{i} + 1) << 32);
+          if (next != by_first.begin()) {
+            SolidAt& solid = solids[static_cast<std::uint32_t>(*(next - 1))];
+            if (i < solid.end) {
+              solid.rings.pass(operands.translated(i, 0));
+            }
           }
         });
   }
