@@ -102,6 +102,20 @@ class TestSvg:
         (polygon,) = read(tmp_path, svg(path))
         assert polygon.ring_count - 1 == holes
 
+    @pytest.mark.parametrize(
+        "path",
+        [
+            "M0 0H9e-165V9e-165H0zM1e-165 1e-165h1e-165l-1e-165 1e-165z",
+            "M0 0H9e160V9e160H0zM1e160 1e160h1e160l-1e160 1e160z",
+            "M-1e-30 .5L0 0L.5 -1e-30L1 0L.25000000000000006 .75L0 1ZM0 0L0 1L1 0Z",
+            "M0 0L0 1L1 0ZM-1e-30 .5L0 0L.5 -1e-30L1 0L.25000000000000006 .75L0 1Z",
+        ],
+        ids=["no-area", "endless-area", "equal-areas", "hole-first"],
+    )
+    def test_holes_whose_areas_no_floats_compare(self, tmp_path: Path, path: str) -> None:
+        (polygon,) = read(tmp_path, svg(f'<path fill-rule="evenodd" d="{path}"/>'))
+        assert polygon.ring_count == 2
+
     def test_islands(self, tmp_path: Path) -> None:
         rings = "".join(f"M{k} {k}H{20 - k}V{20 - k}H{k}z" for k in range(5))
         found = read(tmp_path, svg(f'<path fill-rule="evenodd" d="{rings}"/>'))
