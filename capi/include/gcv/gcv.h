@@ -1276,8 +1276,9 @@ typedef struct gcv_impact {
   /** The largest part of the motion, in [0, 1], up to which they never overlap, rounded down; 1
    *  without a hit. */
   double time;
-  /** A translation of doubles within 2 ulps of the exact one, at which B does not overlap A, if
-   *  there is one; else the nearest one. */
+  /** A translation of doubles within 2 ulps of the exact one, so that in each coordinate at most
+   *  one other double lies between, at which B does not overlap A, if there is one; else the
+   *  nearest one. */
   double position[2];
   /** What is hit, with gap 0; of several, the smallest kind, then a, then b. An edge is hit between
    *  its ends. Where two vertices meet, that is their contact, with the normal 0 0: gcv_contacts at
