@@ -46,18 +46,15 @@ class FreePlaceSearch {
                                    std::uint64_t step, std::uint64_t most_steps = no_limit);
   // The same, where the boundary is known: with holes and fits if these are wanted.
   std::optional<FreePlace> nearest(const Point& from, const FreeBoundary& boundary);
-  using IsWanted = std::function<bool(const FreePlace&)>;
-  // The furthest one in a direction, of several the lexicographically smallest. The free set must
-  // be bounded in it. Of fits, it is one that is wanted. Throws Error: cancelled, internal.
-  std::optional<FreePlace> furthest(const Point& direction, const IsWanted& is_fit_wanted,
-                                    Task& task, std::uint64_t step) {
-    return furthest(direction, {is_fit_wanted, false}, task, step);
-  }
-  // The same of all corners of what is free and all ends of fits that are wanted.
-  std::optional<FreePlace> furthest_wanted(const Point& direction, const IsWanted& is_wanted,
-                                           Task& task, std::uint64_t step) {
-    return furthest(direction, {is_wanted, true}, task, step);
-  }
+  // Fits that are not wanted are passed over, and corners too, if it is for these.
+  struct Wish {
+    std::function<bool(const FreePlace&)> is_wanted;
+    bool is_for_corners;
+  };
+  // The furthest one in a direction, of several the lexicographically smallest, of those that are
+  // wanted. The free set must be bounded in it. Throws Error: cancelled, internal.
+  std::optional<FreePlace> furthest(const Point& direction, const Wish& wish, Task& task,
+                                    std::uint64_t step);
 
   static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
   // How many edges and pairs of nodes the last search for a nearest place looked at, and how many
@@ -78,14 +75,7 @@ class FreePlaceSearch {
   // Does a superset edge hold the point?
   [[nodiscard]] bool holds(const PairEdge& edge, const ExactPoint& point) const;
 
-  struct Wish {
-    const IsWanted& is_wanted;
-    bool is_for_corners;  // not for fits alone
-  };
-
  private:
-  std::optional<FreePlace> furthest(const Point& direction, const Wish& wish, Task& task,
-                                    std::uint64_t step);
   std::vector<WitnessSearch::Pair> pairs_near(const FreePlace& place);
 
   const Operands& operands_;

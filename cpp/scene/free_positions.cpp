@@ -64,35 +64,30 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   // Fits that no doubles show are passed over.
   bool are_all_shown = true;
   FreePlaceSearch search(operands, wanted_, tally);
-  std::optional<FreePlace> place = search.furthest(
-      direction,
-      [&](const FreePlace& fit) {
-        const bool is_shown = usable(fit.point, tally).relation != Relation::overlapping;
-        are_all_shown = are_all_shown && is_shown;
-        return is_shown;
-      },
-      task, 1);
-  if (place) {
+  const auto is_shown_fit = [&](const FreePlace& fit) {
+    const bool is_shown = usable(fit.point, tally).relation != Relation::overlapping;
+    are_all_shown = are_all_shown && is_shown;
+    return is_shown;
+  };
+  if (const auto place = search.furthest(direction, {is_shown_fit, false}, task, 1)) {
     const UsablePosition position = position_of(search, *place);
     if (position.relation != Relation::overlapping) {
       return position;
     }
     // So are corners, where that of what is free is narrower than the gaps between doubles.
     FreePlaceSearch near(operands, wanted_, tally);
-    const std::optional<FreePlace> shown = search.furthest_wanted(
-        direction,
-        [&](const FreePlace& other) {
-          return position_of(near, other).relation != Relation::overlapping;
-        },
-        task, 1);
+    const auto is_shown = [&](const FreePlace& other) {
+      return position_of(near, other).relation != Relation::overlapping;
+    };
+    const auto shown = search.furthest(direction, {is_shown, true}, task, 1);
     return shown ? position_of(near, *shown) : position;
   }
   if (are_all_shown) {
     return std::nullopt;
   }
-  // Where nothing else is free, they count.
-  place = search.furthest(
-      direction, [](const FreePlace&) { return true; }, task, 1);
+  // Where nothing else is free, fits count.
+  const auto is_any = [](const FreePlace& /*fit*/) { return true; };
+  const auto place = search.furthest(direction, {is_any, false}, task, 1);
   return place ? std::optional(usable(place->point, tally)) : std::nullopt;
 }
 

@@ -123,13 +123,26 @@ std::optional<Exact> furthest(const ExactParts& whole, const Point& direction,
   return found;
 }
 
-// Is it a free position near a corner, and has no corner that is further a free double near it?
-bool passes_over(const ExactParts& whole, const Point& direction, const RelationAt& relation_at,
-                 const Point& got) {
+std::vector<Exact> corners(const ExactParts& whole) {
   std::vector<Exact> all;
   for (const ExactPart& part : whole) {
     all.insert(all.end(), part.points.begin(), part.points.end());
   }
+  return all;
+}
+
+// Does it overlap, though a double near a corner is free?
+bool overlaps_needlessly(const ExactParts& whole, const RelationAt& relation_at, const Point& got) {
+  const std::vector<Exact> all = corners(whole);
+  return relation_at(exact(got)) == reference::overlapping &&
+         std::any_of(all.begin(), all.end(),
+                     [&](const Exact& p) { return is_shown(relation_at, p); });
+}
+
+// Is it a free position near a corner, and has no corner that is further a free double near it?
+bool passes_over(const ExactParts& whole, const Point& direction, const RelationAt& relation_at,
+                 const Point& got) {
+  const std::vector<Exact> all = corners(whole);
   return relation_at(exact(got)) != reference::overlapping &&
          std::any_of(all.begin(), all.end(), [&](const Exact& p) {
            FreeCounts none;
@@ -306,8 +319,10 @@ Messages check_best(const FreeQuestion& question, const ExactParts& whole, const
       ++counts.none;
       report(messages, direction, found == 0 && got == Point{0, 0} ? "" : "found, but not there");
     } else {
-      const std::string difference =
-          found == 1 ? best_difference(relation_at, got, *wanted, counts) : "not found";
+      const std::string difference = found != 1 ? "not found"
+                                     : overlaps_needlessly(whole, relation_at, got)
+                                         ? "overlaps, though other corners are free"
+                                         : best_difference(relation_at, got, *wanted, counts);
       report(messages, direction,
              found == 1 && passes_over(whole, direction, relation_at, got) ? "" : difference);
     }
