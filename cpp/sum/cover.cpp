@@ -184,16 +184,16 @@ EdgeCover::Surroundings EdgeCover::look(const PlacesOnLine& places, const Relati
   }
   const std::uint64_t before = search_.visits();
   Looked looked = look_anew(places, place);
-  Surroundings surroundings = looked.surroundings;
-  if (looked.sum && search_.visits() - before > many_visits) {
-    if (looked_.size() == most_looked) {
-      looked_.pop_front();
-    }
-    looked.surroundings.blocked.leave_few();
-    looked.surroundings.blocked_inside.leave_few();
-    looked_.push_back(std::move(looked));
+  if (!looked.sum || search_.visits() - before <= many_visits) {
+    return std::move(looked.surroundings);
   }
-  return surroundings;
+  looked.surroundings.blocked.leave_few();
+  looked.surroundings.blocked_inside.leave_few();
+  if (looked_.size() == most_looked) {
+    looked_.pop_front();
+  }
+  looked_.push_back(std::move(looked));
+  return looked_.back().surroundings;
 }
 
 EdgeCover::Looked EdgeCover::look_anew(const PlacesOnLine& places, const Place& place) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -99,6 +100,24 @@ TEST(Region, IsRoundedToTheSafeSide) {
     }
   });
   EXPECT_GT(rounded_rings, 500U);
+}
+
+// All superset edges of the hole meet in the one place where it fits.
+TEST(Region, HasThePointOfAFitInAHoleOfItsOwnShape) {
+  PolygonRings plate{{{-4, -4}, {4, -4}, {4, 4}, {-4, 4}}, {}};
+  PolygonRings peg{{}};
+  constexpr int spikes = 100;
+  for (int k = 0; k < 2 * spikes; ++k) {
+    const double radius = k % 2 == 0 ? 2 : 1.5;
+    const double angle = 3.141592653589793 * k / spikes;
+    plate[1].push_back({radius * std::cos(angle), radius * std::sin(angle)});
+    peg[0].push_back({-plate[1].back().x, -plate[1].back().y});
+  }
+  std::reverse(plate[1].begin(), plate[1].end());
+  const Region region = test::sum_region(plate, peg);
+  ASSERT_EQ(region.exact.parts.size(), 2U);
+  EXPECT_EQ(region.exact.parts.back().kind, PartKind::point);
+  EXPECT_EQ(region.rounded.vertices.back(), (Point{0, 0}));
 }
 
 // Obstacle and container are some units in the last place large. What is free has no room for its
