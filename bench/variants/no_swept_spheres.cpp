@@ -5,12 +5,15 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "swept_spheres.hpp"
 
 namespace gcv {
 
-std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain&) {
+std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain& /*chain*/,
+                                                  std::span<const Index> /*order*/) {
   SweptSphereBlock everything{};
   std::fill(std::begin(everything.radius), std::end(everything.radius),
             std::numeric_limits<double>::infinity());

@@ -7,8 +7,8 @@
 
 namespace gcv {
 
-std::uint64_t count_superset(const Operands&, const RankedEdges&) {
-  return std::numeric_limits<std::uint64_t>::max();
+SupersetCount count_superset(const Operands&, const RankedEdges&) {
+  return {std::numeric_limits<std::uint64_t>::max(), 0};
 }
 
 CoarseGrid::CoarseGrid(const Operands&) : scale_{0, 0}, middle_{0, 0} {}

@@ -221,12 +221,13 @@ EdgeChain Boundary::relative_chain() const {
 }
 
 const ChainIndex& Boundary::index() const {
-  return index_.get([this] {
-    const EdgeChain chain = relative_chain();
-    ChainIndex index{build_chain_tree(chain), {}};
-    index.spheres = build_swept_spheres(index.tree, chain);
-    return index;
-  });
+  return index_.get([this] { return build_chain_index(relative_chain()); });
+}
+
+const ChainIndex& Boundary::search_index() const {
+  const std::optional<ChainIndex>& on_curve =
+      index_on_curve_.get([this] { return build_index_on_curve(index(), relative_chain()); });
+  return on_curve ? *on_curve : index();
 }
 
 const Boundary::CoverIndex& Boundary::cover_index() const {

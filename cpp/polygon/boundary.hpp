@@ -14,6 +14,7 @@
 #include "box.hpp"
 #include "box_tree.hpp"
 #include "buffer.hpp"
+#include "chain_index.hpp"
 #include "chain_tree.hpp"
 #include "chord_tree.hpp"
 #include "convex_pieces.hpp"
@@ -21,20 +22,12 @@
 #include "line_directions.hpp"
 #include "point.hpp"
 #include "ring_layout.hpp"
-#include "swept_spheres.hpp"
 #include "touches.hpp"
 
 namespace gcv {
 
 // The most vertices that a polygon can have.
 inline constexpr std::size_t vertex_limit = 0x7fffffff;
-
-// Finds the edges of a ring that are near a point. Boxes and line-swept spheres have the same
-// blocks.
-struct ChainIndex {
-  ChainTree tree;
-  std::vector<SweptSphereBlock> spheres;
-};
 
 struct Boundary;
 
@@ -122,11 +115,13 @@ struct Boundary {
     return points_up(p, q) ? LineDirection{p, q} : LineDirection{q, p};
   }
 
-  // The two next parts are made on first use. A sum of two convex polygons needs neither, and so do
-  // most sums of a convex polygon and another.
+  // The three next parts are made on first use. A sum of two convex polygons needs neither, and so
+  // do most sums of a convex polygon and another.
   [[nodiscard]] const LineDirections& line_directions() const;
   // Over relative vertices. Sums with few superset edges do not use it.
   [[nodiscard]] const ChainIndex& index() const;
+  // In the order of the edges that is best, whatever it is.
+  [[nodiscard]] const ChainIndex& search_index() const;
   // What sums with holes and exact fits take beside it. Made on first use, too.
   struct CoverIndex {
     ChordTree chords;
@@ -148,6 +143,7 @@ struct Boundary {
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects
   Lazy<LineDirections> line_directions_;
   Lazy<ChainIndex> index_;
+  Lazy<std::optional<ChainIndex>> index_on_curve_;
   Lazy<CoverIndex> cover_index_;
   Lazy<ConvexPieces> convex_pieces_;
   ConvexPieces joined_pieces_;  // where boundaries are joined at positions

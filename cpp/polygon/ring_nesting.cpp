@@ -312,7 +312,7 @@ class Nesting {
 }  // namespace
 
 Tally check_nesting(std::span<const Boundary* const> rings, const char* name) {
-  return Nesting(rings, name).check();
+  return rings.size() > 1 ? Nesting(rings, name).check() : Tally{};
 }
 
 }  // namespace gcv

@@ -45,15 +45,16 @@ SweptSphere swept_sphere_along(const Point& direction, std::span<const Point> po
           (box.y1 - box.y0) / 2};
 }
 
-// The line-swept sphere of a chain. It is the thinner one of two: along the chord, which suits a
-// smooth chain, and along the longest edge, which suits a chain that goes to and fro.
-SweptSphere swept_sphere_of_chain(std::span<const Point> points) {
+// The line-swept sphere of edges. The points are those of a chain, with one for each further edge,
+// or both ends of each edge. It is the thinner one of two: along the chord, which suits a smooth
+// chain, and along the longest edge, which suits a chain that goes to and fro.
+SweptSphere swept_sphere_of(std::span<const Point> points, std::size_t points_an_edge) {
   if (points.size() == 2) {
     return {points.front(), points.back(), 0};
   }
   Point longest{0, 0};
   double longest_size = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
+  for (std::size_t i = 1; i < points.size(); i += points_an_edge) {
     const Point edge = points[i] - points[i - 1];
     const double size = std::abs(edge.x) + std::abs(edge.y);
     if (size > longest_size) {
@@ -73,11 +74,11 @@ SweptSphere swept_sphere_of_chain(std::span<const Point> points) {
   return along_edge.radius < along_chord.radius ? along_edge : along_chord;
 }
 
-}  // namespace
-
-std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain& chain) {
+// points(first, count): those of so many edges from the first of them on.
+template <class Points>
+std::vector<SweptSphereBlock> build(const ChainTree& tree, std::size_t n,
+                                    std::size_t points_an_edge, Points points) {
   constexpr std::uint32_t width = ChainTree::width;
-  const std::size_t n = chain.size();
   std::vector<SweptSphereBlock> spheres(tree.blocks.size());
   std::size_t below = 1;  // edges below a node
   Pace pace;
@@ -86,8 +87,7 @@ std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const E
       const std::size_t first = node * below;
       const std::size_t edges = std::min(below, n - first);
       pace.step(edges);
-      const SweptSphere sphere =
-          swept_sphere_of_chain(chain.ends(static_cast<Index>(first), static_cast<Index>(edges)));
+      const SweptSphere sphere = swept_sphere_of(points(first, edges), points_an_edge);
       SweptSphereBlock& block = spheres[tree.first_block[depth] + node / width];
       const std::size_t lane = node % width;
       block.x0[lane] = sphere.from.x;
@@ -98,6 +98,27 @@ std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const E
     }
   }
   return spheres;
+}
+
+}  // namespace
+
+std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain& chain,
+                                                  std::span<const Index> order) {
+  if (order.empty()) {
+    return build(tree, chain.size(), 1, [&](std::size_t first, std::size_t count) {
+      return chain.ends(static_cast<Index>(first), static_cast<Index>(count));
+    });
+  }
+  PointVector points;
+  points.reserve(2 * order.size());
+  for (const Index edge : order) {
+    const auto ends = chain.ends(edge, 1);
+    points.push_back(ends.front());
+    points.push_back(ends.back());
+  }
+  return build(tree, order.size(), 2, [&](std::size_t first, std::size_t count) {
+    return std::span<const Point>(points).subspan(2 * first, 2 * count);
+  });
 }
 
 }  // namespace gcv

@@ -6,6 +6,7 @@
 // volumes", 1999.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "chain_tree.hpp"
@@ -35,7 +36,9 @@ struct SweptSphereBlock : SegmentBlock {
   double radius[ChainTree::width];
 };
 
-// Builds the line-swept spheres for all blocks of the tree over those edges. O(n log n).
-std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain& chain);
+// Builds the line-swept spheres for all blocks of the tree over those edges, in that order, or in
+// theirs where it is empty. O(n log n).
+std::vector<SweptSphereBlock> build_swept_spheres(const ChainTree& tree, const EdgeChain& chain,
+                                                  std::span<const Index> order);
 
 }  // namespace gcv

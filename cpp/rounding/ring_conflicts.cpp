@@ -86,9 +86,12 @@ bool is_conflict(std::span<const PointVector> rings, const RingEdge& e, const Ri
   const Point& q1 = ring_f[cyclic_next(f.edge, ring_f.size())];
   const int side_q0 = orientation(p0, p1, q0, tally);
   const int side_q1 = orientation(p0, p1, q1, tally);
+  if (side_q0 * side_q1 > 0) {
+    return false;
+  }
   const int side_p0 = orientation(q0, q1, p0, tally);
   const int side_p1 = orientation(q0, q1, p1, tally);
-  if (side_q0 * side_q1 > 0 || side_p0 * side_p1 > 0) {
+  if (side_p0 * side_p1 > 0) {
     return false;
   }
   if (side_q0 * side_q1 < 0 && side_p0 * side_p1 < 0) {
@@ -114,7 +117,7 @@ bool is_conflict(std::span<const PointVector> rings, const RingEdge& e, const Ri
 std::vector<RingConflict> find_ring_conflicts(std::span<const PointVector> rings) {
   std::vector<RingConflict> conflicts;
   for (std::size_t r = 0; r < rings.size(); ++r) {
-    if (rings[r].size() >= 3) {
+    if (rings[r].size() >= 3 && find_conflict(rings[r], box_of(rings[r]))) {
       for (const Conflict& conflict : find_all_conflicts(rings[r])) {
         conflicts.push_back({{r, conflict.first}, {r, conflict.second}});
       }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "choose.hpp"
 
-#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -9,26 +9,59 @@
 
 namespace gcv {
 
+namespace {
+
+// Of the boxes of a polygon's edges, the mean area.
+double mean_box_of_edges(const Boundary& polygon) {
+  double sum = 0;
+  polygon.layout.for_each_edge([&](Index i, Index next) {
+    const Point& p = polygon.vertices[i];
+    const Point& q = polygon.vertices[next];
+    sum += std::abs((q.x - p.x) * (q.y - p.y));
+  });
+  return sum / polygon.size();
+}
+
+// How many of the boxes of the superset edges lie over a place of the sum, on average.
+double boxes_over_a_place(const Operands& operands, const SupersetCount& count) {
+  const Box& a = operands.a.bounds;
+  const Box& b = operands.b.bounds;
+  const double area = ((a.x1 - a.x0) + (b.x1 - b.x0)) * ((a.y1 - a.y0) + (b.y1 - b.y0));
+  return (static_cast<double>(count.a) * mean_box_of_edges(operands.a) +
+          static_cast<double>(count.b) * mean_box_of_edges(operands.b)) /
+         area;
+}
+
+// Are the superset edges few enough for a table?
+bool suits_table(const Operands& operands, const SupersetCount& count, std::uint64_t vertices) {
+  if (count.all() > limits::edges_a_vertex * vertices) {
+    return count.all() <= limits::most_table_edges;
+  }
+  return count.all() <= limits::most_boxes_over_a_place ||
+         (count.all() <= limits::most_linear_edges &&
+          !(boxes_over_a_place(operands, count) > limits::most_boxes_over_a_place));
+}
+
+}  // namespace
+
 SearchableSuperset::SearchableSuperset(const Operands& operands)
     : operands_(operands), slack_(slack_of(operands)) {
   const CoarseGrid grid(operands);
   std::optional<RankedEdges> ranked;
   // At least: a vertex contributes to every edge.
   const std::uint64_t vertices = std::uint64_t{operands.a.size()} + operands.b.size();
-  std::uint64_t size = vertices;
-  if (size <= limits::most_linear_edges && grid.is_fine_enough(operands)) {
+  SupersetCount count{};
+  if (vertices <= limits::most_linear_edges && grid.is_fine_enough(operands)) {
     ranked.emplace(operands.directions);
-    size = count_superset(operands, *ranked);
+    count = count_superset(operands, *ranked);
   }
-  const std::uint64_t most = std::clamp(limits::edges_a_vertex * vertices, limits::most_table_edges,
-                                        limits::most_linear_edges);
-  const bool is_small = ranked && size <= most;
+  const bool is_small = ranked && suits_table(operands, count, vertices);
   EqualChains chains;
   if (!is_small || chains_can_prevail(operands)) {
     chains = find_equal_chains(operands);
   }
   if (is_small && !chains.prevail) {
-    table_.emplace(operands, grid, *ranked, size);
+    table_.emplace(operands, grid, *ranked, count.all());
   } else {
     product_.emplace(operands, std::move(chains));
   }

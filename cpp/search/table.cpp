@@ -99,9 +99,9 @@ Point scale_of(const Operands& operands) {
 
 }  // namespace
 
-std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked) {
-  return count_contributions(ranked.a, operands.b, operands.directions.rank_b) +
-         count_contributions(ranked.b, operands.a, operands.directions.rank_a);
+SupersetCount count_superset(const Operands& operands, const RankedEdges& ranked) {
+  return {count_contributions(ranked.a, operands.b, operands.directions.rank_b),
+          count_contributions(ranked.b, operands.a, operands.directions.rank_a)};
 }
 
 CoarseGrid::CoarseGrid(const Operands& operands) : scale_(scale_of(operands)) {

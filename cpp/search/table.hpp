@@ -22,8 +22,14 @@
 
 namespace gcv {
 
-// How many superset edges there are, before merging. O(n + m).
-std::uint64_t count_superset(const Operands& operands, const RankedEdges& ranked);
+// How many superset edges there are, before merging: those that are edges of A, and those of B.
+struct SupersetCount {
+  std::uint64_t a;
+  std::uint64_t b;
+  [[nodiscard]] std::uint64_t all() const { return a + b; }
+};
+// O(n + m).
+SupersetCount count_superset(const Operands& operands, const RankedEdges& ranked);
 
 // Relative coordinates of the sum as integers of 16 bits, from the middle of its extents. Each axis
 // has its own unit, so that stretched polygons have the same places.

@@ -23,27 +23,33 @@ double mean_edge_size_of(const Operands& operands) {
 
 }  // namespace
 
+// Repeated chains are numbered in the order of the boundary.
 TreeProduct::TreeProduct(const Operands& operands, EqualChains chains)
+    : TreeProduct(operands, chains.exist() ? operands.a.index() : operands.a.search_index(),
+                  chains.exist() ? operands.b.index() : operands.b.search_index(),
+                  std::move(chains)) {}
+
+TreeProduct::TreeProduct(const Operands& operands, const ChainIndex& a, const ChainIndex& b,
+                         EqualChains chains)
     : operands_(operands),
-      a_{operands.a.index().tree, operands.a.index().spheres,
-         node_sectors(operands.a, operands.directions.rank_a), std::move(chains.a)},
-      b_{operands.b.index().tree, operands.b.index().spheres,
-         node_sectors(operands.b, operands.directions.rank_b), std::move(chains.b)},
+      a_{a, node_sectors(operands.a, operands.directions.rank_a, a), std::move(chains.a)},
+      b_{b, node_sectors(operands.b, operands.directions.rank_b, b), std::move(chains.b)},
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
 std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,
-                                                                const Ranks& ranks) const {
+                                                                const Ranks& ranks,
+                                                                const ChainIndex& index) const {
   const auto sectors = [&](Rank first, Rank last) {
     return sectors_of(operands_.directions, first, last);
   };
   constexpr std::uint32_t width = ChainTree::width;
-  const ChainTree& tree = polygon.index().tree;
-  const std::vector<std::uint32_t>& first_block = tree.first_block;
-  std::vector<SectorBlock> result(tree.blocks.size());
-  for (Index i = 0; i < polygon.size(); ++i) {
-    SectorBlock& block = result[first_block.back() + i / width];
-    block.edges[i % width] = sectors(ranks[i], ranks[i]);
-    block.cones[i % width] =
+  const std::vector<std::uint32_t>& first_block = index.tree.first_block;
+  std::vector<SectorBlock> result(index.tree.blocks.size());
+  for (Index k = 0; k < polygon.size(); ++k) {
+    const Index i = index.edge(k);
+    SectorBlock& block = result[first_block.back() + k / width];
+    block.edges[k % width] = sectors(ranks[i], ranks[i]);
+    block.cones[k % width] =
         polygon.corners[i].convex ? sectors(ranks[polygon.previous(i)], ranks[i]) : 0;
   }
   for (std::size_t depth = first_block.size() - 1; depth-- > 0;) {

@@ -131,8 +131,7 @@ class TreeProduct {
 
   // A polygon's tree with the sectors of its nodes.
   struct Tree {
-    const ChainTree& boxes;
-    const std::vector<SweptSphereBlock>& spheres;
+    const ChainIndex& index;
     std::vector<SectorBlock> sectors;
     EqualChains::Numbers chains;
   };
@@ -149,18 +148,18 @@ class TreeProduct {
 
     [[nodiscard]] bool meets_again(const Node& a, const Node& b) {
       return met->meet(a.chain, b.chain,
-                       superset.operands_.point({superset.a_.boxes.first_edge(a.place),
-                                                 superset.b_.boxes.first_edge(b.place)}));
+                       superset.operands_.point({superset.a_.index.tree.first_edge(a.place),
+                                                 superset.b_.index.tree.first_edge(b.place)}));
     }
 
     void descend(const Node& a, const Node& b) {
       if (met != nullptr && meets_again(a, b)) {
         return;
       }
-      const bool a_is_edge = superset.a_.boxes.is_edge(a.place);
-      const bool b_is_edge = superset.b_.boxes.is_edge(b.place);
+      const bool a_is_edge = superset.a_.index.tree.is_edge(a.place);
+      const bool b_is_edge = superset.b_.index.tree.is_edge(b.place);
       if (a_is_edge && b_is_edge) {
-        visit(a.place.index, b.place.index);
+        visit(superset.a_.index.edge(a.place.index), superset.b_.index.edge(b.place.index));
         return;
       }
       if (--visits_left < 0) {
@@ -170,8 +169,9 @@ class TreeProduct {
       const Tree& tree = expand_a ? superset.a_ : superset.b_;
       const Node& node = expand_a ? a : b;
       const Node& other = expand_a ? b : a;
-      const std::uint32_t number = tree.boxes.block_below(node.place);
-      const Block block{tree.boxes.blocks[number], tree.spheres[number], number, expand_a};
+      const std::uint32_t number = tree.index.tree.block_below(node.place);
+      const Block block{tree.index.tree.blocks[number], tree.index.spheres[number], number,
+                        expand_a};
       const SectorBlock& sectors = tree.sectors[number];
       Survivors survivors;
       place.cull(block, other, survivors);
@@ -199,9 +199,11 @@ class TreeProduct {
     }
   };
 
+  TreeProduct(const Operands& operands, const ChainIndex& a, const ChainIndex& b,
+              EqualChains chains);
   template <class Place>
   [[nodiscard]] static Node root(const Tree& tree, const Place& place) {
-    const Box& box = tree.boxes.box;
+    const Box& box = tree.index.tree.box;
     const Point corner{box.x0, box.y0};
     return {{0, 0},
             {~Sectors{0}, ~Sectors{0}},
@@ -212,8 +214,8 @@ class TreeProduct {
             length_bound(box.x1 - box.x0, box.y1 - box.y0),
             0};
   }
-  [[nodiscard]] std::vector<SectorBlock> node_sectors(const Boundary& polygon,
-                                                      const Ranks& ranks) const;
+  [[nodiscard]] std::vector<SectorBlock> node_sectors(const Boundary& polygon, const Ranks& ranks,
+                                                      const ChainIndex& index) const;
 
   const Operands& operands_;
   Tree a_;

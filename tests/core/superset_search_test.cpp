@@ -11,9 +11,11 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ahead_cache.hpp"
+#include "choose.hpp"
 #include "generators.hpp"
 #include "piece.hpp"
 #include "place_cache.hpp"
@@ -151,7 +153,7 @@ void expect_all_found(double most_visits, Prepare prepare) {
 auto search_in_table(const Operands& operands, const std::vector<PairEdge>& edges) {
   const RankedEdges ranked(operands.directions);
   const CoarseGrid grid(operands);
-  EXPECT_EQ(count_superset(operands, ranked), edges.size());
+  EXPECT_EQ(count_superset(operands, ranked).all(), edges.size());
   EXPECT_TRUE(grid.is_fine_enough(operands) || operands.a.layout.ring_count() > 1);
   return [tree = SupersetTable(operands, grid, ranked, edges.size())](
              const SumEdge& edge, const Segment& piece, auto visit) {
@@ -223,6 +225,60 @@ TEST(TreeProduct, FindsAllEdgesThatMeetAPiece) {
       superset.search(place, [&](Index i, Index j) { superset.for_each_edge(i, j, visit); });
     };
   });
+}
+
+// The trees over their edges are not in the order of the boundary.
+TEST(TreeProduct, FindsAllEdgesOfSpirals) {
+  Ring spiral;
+  Ring inner;
+  for (int k = 0; k < 80; ++k) {
+    const double low = 2 * k;
+    const double high = 320 - 2 * k;
+    spiral.insert(spiral.end(), {{low, low}, {high, low}, {high, high}, {low + 2, high}});
+    inner.insert(
+        inner.end(),
+        {{low + 1, low + 1}, {high - 1, low + 1}, {high - 1, high - 1}, {low + 3, high - 1}});
+  }
+  spiral.insert(spiral.end(), inner.rbegin(), inner.rend());
+  for (Point& p : spiral) {
+    p = {4 * p.x - 3 * p.y, 3 * p.x + 4 * p.y};
+  }
+  const gcv::Boundary a = make_ring(spiral, "spiral");
+  const gcv::Boundary b = make_ring(Ring{{0, 0}, {3, 1}, {1, 2}, {2, 5}}, "small");
+  ASSERT_FALSE(a.search_index().order.empty());
+  for (const auto& [p, q] : {std::pair(&a, &b), std::pair(&b, &a)}) {
+    Tally tally;
+    const Operands operands{*p, *q, merge_directions(*p, *q, tally)};
+    const std::vector<PairEdge> edges = all_edges(operands);
+    const TreeProduct superset(operands);
+    const std::size_t visited =
+        expect_found(operands, edges, [&](const SumEdge& edge, const Segment& piece, auto visit) {
+          Piece place(edge, edge.from, piece.from, piece.to, slack_of(operands));
+          superset.search(place, [&](Index i, Index j) { superset.for_each_edge(i, j, visit); });
+        });
+    EXPECT_LT(visited, 20 * edges.size());
+  }
+}
+
+// A zigzag in the direction (40, 3), turned, is full of long boxes one over the other.
+TEST(SearchableSuperset, TakesTablesWhereFewBoxesLieOverAPlace) {
+  const auto has_table = [](bool is_turned, int vertices) {
+    Ring ring;
+    for (int k = 0; k < vertices; ++k) {
+      const bool is_back = k >= vertices / 2;
+      const double x = is_back ? vertices - 1 - k : k;
+      const double y = (static_cast<int>(x) % 2 == 0 ? 0 : vertices / 2) + (is_back ? 1 : 0);
+      ring.push_back(is_turned ? Point{4 * x - 3 * y, 3 * x + 4 * y} : Point{x, y / 1000});
+    }
+    const gcv::Boundary a = make_ring(ring, "zigzag");
+    const gcv::Boundary b = make_ring(Ring{{0, 0}, {3, 1}, {1, 2}, {2, 5}}, "small");
+    Tally tally;
+    const Operands operands{a, b, merge_directions(a, b, tally)};
+    return SearchableSuperset(operands).table().has_value();
+  };
+  EXPECT_TRUE(has_table(false, 1000));
+  EXPECT_FALSE(has_table(true, 1000));
+  EXPECT_TRUE(has_table(true, 40));
 }
 
 TEST(PlaceCache, HoldsAllEdgesThatMeetAPiece) {

@@ -164,6 +164,21 @@ Pair keyholes() {
   return {plate, {{0, 0}, {3, 0}, {3, 1}, {2, 1}, {2, 2.5}, {1, 2.5}, {1, 1}, {0, 1}}};
 }
 
+// In no direction of the axes, so that their boxes lie one over the other.
+Polygon zigzag(int vertices) {
+  Polygon polygon;
+  for (int k = 0; k < vertices; ++k) {
+    const bool is_back = k >= vertices / 2;
+    const int x = is_back ? vertices - 1 - k : k;
+    const double y = (x % 2 == 0 ? 0 : vertices / 2) + (is_back ? 1 : 0);
+    polygon.push_back({static_cast<double>(x), y});
+  }
+  return polygon;
+}
+const Map slanting{.xx = 4, .xy = -3, .yx = 3, .yy = 4};
+Pair slanting_zigzag() { return {mapped(zigzag(1000), slanting), {{0, 0}, {3, 1}, {1, 2}}}; }
+Pair slanting_spiral() { return {mapped(square_spiral(250), slanting), {{0, 0}, {3, 1}, {1, 2}}}; }
+
 const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"parts", parts},
                                                          {"stars", stars},
@@ -174,6 +189,8 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"key_in_slot", key_in_slot},
                                                          {"part_and_convex", part_and_convex},
                                                          {"coast_and_convex", coast_and_convex},
+                                                         {"slanting_spiral", slanting_spiral},
+                                                         {"slanting_zigzag", slanting_zigzag},
                                                          {"spiral_and_small", spiral_and_small}};
 
 // Edges that end on the border of the sum begin there.
