@@ -229,6 +229,18 @@ class OverlapSearch {
   std::optional<EdgePair> found_;
 };
 
+// Calls visit(k) for the edges below a node whose boxes meet that box, until it returns true. Did
+// it?
+template <class Visit>
+bool any_edge_near(const ChainTree& tree, const ChainTree::Node& node, const Box& box,
+                   Visit visit) {
+  const ChainTree::Block& block = tree.blocks[tree.block_below(node)];
+  return any_lane(block.overlapping(box) & children_of(block), [&](std::uint32_t lane) {
+    const ChainTree::Node child = ChainTree::child(node, lane);
+    return tree.is_edge(child) ? visit(child.index) : any_edge_near(tree, child, box, visit);
+  });
+}
+
 // The boundary of B meets that of A in these rings at most, and no solid cones overlap there. Does
 // one solid hold points of the other?
 bool is_inside(const PlacedPair& placed, const Point& offset, const Rings& touched_rings,
@@ -248,13 +260,13 @@ bool is_inside(const PlacedPair& placed, const Point& offset, const Rings& touch
   if (!placed.a.is_complement()) {
     return touched_rings.empty() && is_in_b(0);
   }
-  for (Index ring = 0; ring < rings.ring_count(); ++ring) {
-    if (std::find(touched_rings.begin(), touched_rings.end(), ring) == touched_rings.end() &&
-        is_in_b(ring)) {
-      return true;
-    }
-  }
-  return false;
+  const Box box_of_b = widened(moved(placed.b.tree().box, offset), placed.slack(offset));
+  return any_edge_near(placed.a.tree(), {0, 0}, box_of_b, [&](Index edge) {
+    const Index ring = rings.ring_of(edge);
+    return edge == rings.begin(ring) &&
+           std::find(touched_rings.begin(), touched_rings.end(), ring) == touched_rings.end() &&
+           is_in_b(ring);
+  });
 }
 
 // Asks the edges first, if there are some, and puts those there that have shown an overlap.

@@ -25,6 +25,13 @@ struct PlacedSolid {
   const PlacedPair placed;
 };
 
+// What is so far away along x and along y is at least that far away, but for roundings below 2u.
+double distance_below(double x, double y) {
+  const double square = x * x + y * y;
+  const bool is_in_range = square > 0x1p-900 && square < 0x1p900;
+  return is_in_range ? std::sqrt(square) : std::max(x, y);
+}
+
 // Finds the nearest solid.
 class NearestSolid {
  public:
@@ -45,8 +52,13 @@ class NearestSolid {
         none, larger(SimdDouble::load(block.x0) + -box_.x1, box_.x0 - SimdDouble::load(block.x1)));
     const SimdDouble y = larger(
         none, larger(SimdDouble::load(block.y0) + -box_.y1, box_.y0 - SimdDouble::load(block.y1)));
-    double distances[ChainTree::width];  // at most these
-    larger(x, y).store(distances);
+    double by_x[ChainTree::width];
+    double distances[ChainTree::width];
+    x.store(by_x);
+    y.store(distances);
+    for (std::uint32_t lane = 0; lane < ChainTree::width; ++lane) {
+      distances[lane] = distance_below(by_x[lane], distances[lane]);
+    }
     return any_in_order(children_of(block), distances, limit_, visit);
   }
   bool meet(BoxForest::Slot slot) {

@@ -83,7 +83,7 @@ class Polygon(Shape):
     OSError for a file that cannot be read.
     """
 
-    __slots__ = ("__weakref__", "_given", "_handle", "_maps", "_rings")
+    __slots__ = ("__weakref__", "_given", "_handle", "_maps", "_rings", "_vertices")
 
     _given: Rings
     """The rings as passed, which alone know the caller's numbers."""
@@ -92,6 +92,8 @@ class Polygon(Shape):
     _handle: _ffi.Polygon
     _rings: Optional[list[bytes]]
     """The normalised rings, once they were asked for."""
+    _vertices: int
+    """How many there are in all rings as passed."""
 
     def __init__(self, source: PolygonLike, holes: Optional[Iterable[PolygonLike]] = None) -> None:
         added = read_holes(holes) if holes is not None else []
@@ -108,6 +110,7 @@ class Polygon(Shape):
     ) -> None:
         self._given, self._handle, self._maps = given, handle or created(given), maps
         self._rings = None
+        self._vertices = sum(map(size, given))
 
     @classmethod
     def _of(
