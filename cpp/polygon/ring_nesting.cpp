@@ -2,25 +2,23 @@
 //
 // The solid is on the left of all rings. Where two rings touch, each must go through the solid of
 // the other: both of its ways out of the point lie strictly inside the cone of the other's solid.
-// Then they do not cross there, and neither lies where the other has no solid. Rings that touch,
-// directly or by others, form a group. In a group that has the outer ring, all is well then. Of
-// each other group, one vertex is located: the lexicographically smallest one, below which the
-// group has no edges. Right below it must be an edge with the solid above: of a group whose
-// smallest vertex comes before, and which has then been found to lie well. A sweep finds these
-// edges.
+// Then they do not cross there, and neither lies where the other has no solid. A line sweeps over
+// the vertices in lexicographic order, as in simplicity.cpp. It keeps the edges that it meets in
+// order, from bottom to top, and tests edges that become neighbours: two that cross do so before
+// the line comes to their crossing. At each vertex it looks at the ways of all rings through that
+// point. A ring whose smallest vertex touches no other is located there: right below must be an
+// edge with the solid above. Edges further left have been found to lie well by then.
 #include "ring_nesting.hpp"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
-#include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 #include <vector>
 
-#include "box.hpp"
-#include "curve_order.hpp"
 #include "error.hpp"
-#include "overlapping_pairs.hpp"
 #include "predicates.hpp"
 #include "task.hpp"
 
@@ -33,21 +31,27 @@ struct Edge {
   Index number;  // in its ring
 };
 
-// Two straight ways through a point, in the direction of a ring.
+// How a ring goes through a point: in a vertex, or along an edge.
 struct Passage {
+  Edge edge;  // one that has the point
   Point from;
-  Point place;
   Point to;
 };
 
-template <class Value, class Key>
-void sort_by(std::vector<Value>& values, Key key) {
-  Pace pace;
-  std::sort(values.begin(), values.end(), [&](const Value& p, const Value& q) {
-    pace.step();
-    return key(p) < key(q);
-  });
-}
+// A way out of a point: back along a passage, or on.
+struct WayOut {
+  Point to;
+  std::size_t passage;
+  bool is_back;
+};
+
+// An edge from its lexicographically smaller end on.
+struct Span {
+  Point left;
+  Point right;
+  Edge edge;
+  bool goes_right;  // as the ring does: then the solid is above
+};
 
 // A hole that lies where it may not. Its message names an edge, and an end of that.
 [[noreturn]] void fail_outside(const char* name, Index hole, const char* where, Index ring,
@@ -61,143 +65,47 @@ void sort_by(std::vector<Value>& values, Key key) {
 class Nesting {
  public:
   Nesting(std::span<const Boundary* const> rings, const char* name)
-      : rings_(rings), name_(name), group_(rings.size()) {
-    std::iota(group_.begin(), group_.end(), Index{0});
-  }
+      : rings_(rings), name_(name), sweep_(FromBelow{tally_}) {}
 
   Tally check() {
     Pace pace;
-    for (const Index r : order_for_tree(static_cast<Index>(rings_.size()),
-                                        [&](Index ring) { return rings_[ring]->bounds; })) {
-      pace.step(2 * std::uint64_t{rings_[r]->size()});
+    std::size_t size = 0;
+    for (const Boundary* ring : rings_) {
+      first_.push_back(size);
+      size += ring->size();
+    }
+    vertices_.reserve(size);
+    spans_.resize(size);
+    places_.resize(size);
+    for (Index r = 0; r < static_cast<Index>(rings_.size()); ++r) {
       for (Index i = 0; i < rings_[r]->size(); ++i) {
-        edges_.push_back({r, i});
-        boxes_.push_back(box_of(from(edges_.back()), to(edges_.back())));
+        add({r, i});
       }
     }
-    OverlappingPairs(boxes_).visit_all([&](std::size_t e, std::size_t f) {
-      const auto& [first, second] = std::minmax(
-          edges_[e], edges_[f], [](const Edge& p, const Edge& q) { return p.ring < q.ring; });
-      if (first.ring != second.ring) {
-        check_pair(first, second);
-      }
+    std::sort(vertices_.begin(), vertices_.end(), [&](const Edge& p, const Edge& q) {
+      pace.step();
+      return lexicographically_less(from(p), from(q));
     });
-    locate_groups();
+    for (std::size_t k = 0; k < size;) {
+      std::size_t end = k + 1;
+      while (end < size && from(vertices_[end]) == from(vertices_[k])) {
+        ++end;
+      }
+      pace.step(16 * (end - k));
+      pass(std::span(vertices_).subspan(k, end - k));
+      k = end;
+    }
+    if (misplaced_) {
+      const auto [hole, ring] = *misplaced_;
+      const Edge vertex{hole, 0};
+      fail_outside(name_, hole, ring == 0 ? "outside" : "inside", ring, corner(vertex),
+                   from(vertex));
+    }
     return tally_;
   }
 
  private:
-  [[nodiscard]] const Point& from(const Edge& e) const {
-    return rings_[e.ring]->vertices[e.number];
-  }
-  [[nodiscard]] const Point& to(const Edge& e) const {
-    return rings_[e.ring]->vertices[rings_[e.ring]->next(e.number)];
-  }
-
-  // The caller's numbers of an edge and of one of its ends.
-  [[nodiscard]] const Boundary::Corner& corner(const Edge& e) const {
-    return rings_[e.ring]->corners[e.number];
-  }
-
-  // Edges of two rings, whose boxes overlap.
-  void check_pair(const Edge& e, const Edge& f) {
-    const int from_side = orientation(from(e), to(e), from(f), tally_);
-    const int to_side = orientation(from(e), to(e), to(f), tally_);
-    if (from_side * to_side > 0) {
-      return;
-    }
-    const int side_of_from = orientation(from(f), to(f), from(e), tally_);
-    const int side_of_to = orientation(from(f), to(f), to(e), tally_);
-    if (side_of_from * side_of_to > 0) {
-      return;
-    }
-    if (from_side * to_side < 0 && side_of_from * side_of_to < 0) {
-      fail(e, f, "cross");
-    }
-    // An end of one lies on the line of the other, and on the other itself: its box says so.
-    if (from_side == 0) {
-      check_touch(e, f, from(f));
-    }
-    if (to_side == 0) {
-      check_touch(e, f, to(f));
-    }
-    if (side_of_from == 0) {
-      check_touch(e, f, from(e));
-    }
-    if (side_of_to == 0) {
-      check_touch(e, f, to(e));
-    }
-  }
-
-  void check_touch(const Edge& e, const Edge& f, const Point& place) {
-    if (!is_in_box(e, place) || !is_in_box(f, place)) {
-      return;
-    }
-    const Passage of_e = passage(e, place);
-    const Passage of_f = passage(f, place);
-    if (!is_in_solid(of_e, of_f.from) || !is_in_solid(of_e, of_f.to) ||
-        !is_in_solid(of_f, of_e.from) || !is_in_solid(of_f, of_e.to)) {
-      fail(e, f, "cross, overlap, or touch from the wrong side");
-    }
-    join(e.ring, f.ring);
-  }
-
-  [[nodiscard]] bool is_in_box(const Edge& e, const Point& p) const {
-    return !are_apart(box_of(from(e), to(e)), box_of(p, p));
-  }
-
-  // How the ring of the edge goes through a point of it.
-  [[nodiscard]] Passage passage(const Edge& e, const Point& place) const {
-    const Boundary& ring = *rings_[e.ring];
-    if (place == from(e)) {
-      return {ring.vertices[ring.previous(e.number)], place, to(e)};
-    }
-    if (place == to(e)) {
-      return {from(e), place, ring.vertices[ring.next(ring.next(e.number))]};
-    }
-    return {from(e), place, to(e)};
-  }
-
-  // Does the way from the place to q begin strictly inside the solid on the left of the passage?
-  bool is_in_solid(const Passage& passage, const Point& q) {
-    const auto& [from, place, to] = passage;
-    const int turn = orientation(from, place, to, tally_);
-    const int after_out = orientation(place, to, q, tally_);
-    if (turn == 0) {
-      return after_out > 0;
-    }
-    const int after_back = orientation(place, from, q, tally_);
-    return turn > 0 ? after_out > 0 && after_back < 0 : !(after_back >= 0 && after_out <= 0);
-  }
-
-  Index root(Index ring) {
-    while (group_[ring] != ring) {
-      ring = group_[ring] = group_[group_[ring]];
-    }
-    return ring;
-  }
-  // The smaller ring stands for the group.
-  void join(Index r, Index s) {
-    r = root(r);
-    s = root(s);
-    group_[std::max(r, s)] = std::min(r, s);
-  }
-
-  // A ray downwards from the smallest vertex of a group.
-  struct Ray {
-    Index ring;
-    Point from;
-  };
-
-  // An edge that is not upright.
-  struct Span {
-    Point left;
-    Point right;
-    Edge edge;
-  };
-
-  // Of spans that do not cross and have a part of their extents by x in common, from below; and of
-  // a point among them.
+  // Of spans that do not cross and are met by one line, from below; and of a point among them.
   struct FromBelow {
     using is_transparent = void;
     Tally& tally;
@@ -208,7 +116,7 @@ class Nesting {
       return of_left != 0 ? of_left : orientation(p.left, p.right, q.right, tally);
     }
     bool operator()(const Span* p, const Span* q) const {
-      return p->left.x <= q->left.x ? side(*p, *q) > 0 : side(*q, *p) < 0;
+      return lexicographically_less(q->left, p->left) ? side(*q, *p) < 0 : side(*p, *q) > 0;
     }
     bool operator()(const Span* p, const Point& q) const {
       return orientation(p->left, p->right, q, tally) > 0;
@@ -216,78 +124,157 @@ class Nesting {
   };
   using Sweep = std::set<const Span*, FromBelow>;
 
-  [[nodiscard]] std::vector<Ray> rays_of_groups() {
-    std::vector<Ray> smallest(rings_.size(), Ray{0, {}});
-    for (Index r = 0; r < static_cast<Index>(rings_.size()); ++r) {
-      const Point& vertex = rings_[r]->vertices.front();
-      Ray& ray = smallest[root(r)];
-      if (root(r) != 0 && (ray.ring == 0 || lexicographically_less(vertex, ray.from))) {
-        ray = {r, vertex};
-      }
-    }
-    smallest.erase(std::remove_if(smallest.begin(), smallest.end(),
-                                  [](const Ray& ray) { return ray.ring == 0; }),
-                   smallest.end());
-    return smallest;
+  [[nodiscard]] const Point& from(const Edge& e) const {
+    return rings_[e.ring]->vertices[e.number];
+  }
+  [[nodiscard]] const Point& to(const Edge& e) const {
+    return rings_[e.ring]->vertices[rings_[e.ring]->next(e.number)];
+  }
+  // The edge before, on the same ring.
+  [[nodiscard]] Edge before(const Edge& e) const {
+    return {e.ring, rings_[e.ring]->previous(e.number)};
+  }
+  // The caller's numbers of an edge and of one of its ends.
+  [[nodiscard]] const Boundary::Corner& corner(const Edge& e) const {
+    return rings_[e.ring]->corners[e.number];
+  }
+  [[nodiscard]] std::size_t number(const Edge& e) const { return first_[e.ring] + e.number; }
+
+  void add(const Edge& e) {
+    vertices_.push_back(e);
+    const bool goes_right = lexicographically_less(from(e), to(e));
+    spans_[number(e)] = goes_right ? Span{from(e), to(e), e, true} : Span{to(e), from(e), e, false};
   }
 
-  [[nodiscard]] std::vector<Span> spans_by_left() const {
-    std::vector<Span> spans;
-    for (const Edge& e : edges_) {
-      if (from(e).x != to(e).x) {
-        const auto& [left, right] = std::minmax(from(e), to(e), lexicographically_less);
-        spans.push_back({left, right, e});
+  // The line comes to a point, with those vertices.
+  void pass(std::span<const Edge> vertices) {
+    const Point& place = from(vertices.front());
+    Sweep::iterator lowest = lowest_on(vertices);
+    passages_.clear();
+    for (const Edge& e : vertices) {
+      passages_.push_back({e, from(before(e)), to(e)});
+    }
+    auto beyond = lowest;
+    for (; beyond != sweep_.end() && is_on(**beyond, place); ++beyond) {
+      if (!((*beyond)->right == place)) {
+        const Edge& e = (*beyond)->edge;
+        passages_.push_back({e, from(e), to(e)});
       }
     }
-    sort_by(spans, [](const Span& span) { return span.left.x; });
-    return spans;
+    if (passages_.size() > 1) {
+      check_passages(place);
+    } else if (lowest == beyond && vertices.front().number == 0 && vertices.front().ring != 0) {
+      check_below(vertices.front().ring, lowest);
+    }
+    while (lowest != beyond) {
+      lowest = (*lowest)->right == place ? sweep_.erase(lowest) : std::next(lowest);
+    }
+    for (const Edge& e : vertices) {
+      enter(e, place, beyond);
+      enter(before(e), place, beyond);
+    }
+    check_neighbours(place, beyond);
   }
 
-  // Edges hold their left end, and not the right one.
-  void locate_groups() {
-    std::vector<Ray> rays = rays_of_groups();
-    if (rays.empty()) {
+  // The lowest span that has the point, or the one above it.
+  Sweep::iterator lowest_on(std::span<const Edge> vertices) {
+    const Point& place = from(vertices.front());
+    for (const Edge& vertex : vertices) {
+      for (const Edge& e : {vertex, before(vertex)}) {
+        if (spans_[number(e)].right == place) {
+          Sweep::iterator lowest = places_[number(e)];
+          while (lowest != sweep_.begin() && is_on(**std::prev(lowest), place)) {
+            --lowest;
+          }
+          return lowest;
+        }
+      }
+    }
+    return sweep_.lower_bound(place);
+  }
+
+  bool is_on(const Span& span, const Point& place) {
+    return orientation(span.left, span.right, place, tally_) == 0;
+  }
+
+  void enter(const Edge& e, const Point& place, Sweep::iterator beyond) {
+    const Span& span = spans_[number(e)];
+    if (span.left == place) {
+      places_[number(e)] = sweep_.insert(beyond, &span);
+    }
+  }
+
+  // Those around the place, from the one beyond it down to the one below. Two that have the place
+  // in common do not cross.
+  void check_neighbours(const Point& place, Sweep::iterator above) {
+    bool is_above_on = false;
+    while (above != sweep_.begin()) {
+      const auto below = std::prev(above);
+      const bool is_below_on = is_on(**below, place);
+      if (above != sweep_.end() && !(is_above_on && is_below_on)) {
+        check_pair((*below)->edge, (*above)->edge);
+      }
+      if (!is_below_on) {
+        return;
+      }
+      above = below;
+      is_above_on = true;
+    }
+  }
+
+  // Do the edges of two rings cross between their ends?
+  void check_pair(const Edge& e, const Edge& f) {
+    if (e.ring == f.ring) {
       return;
     }
-    std::sort(rays.begin(), rays.end(),
-              [](const Ray& r, const Ray& s) { return lexicographically_less(r.from, s.from); });
-    const std::vector<Span> spans = spans_by_left();
-    std::vector<std::size_t> by_right(spans.size());
-    std::iota(by_right.begin(), by_right.end(), std::size_t{0});
-    sort_by(by_right, [&](std::size_t k) { return spans[k].right.x; });
-    Sweep sweep(FromBelow{tally_});
-    std::vector<Sweep::iterator> places(spans.size(), sweep.end());
-    auto ending = by_right.begin();
-    std::size_t begun = 0;
-    Pace pace;
-    for (const Ray& ray : rays) {
-      pace.step(16);
-      for (; ending != by_right.end() && spans[*ending].right.x <= ray.from.x; ++ending) {
-        if (places[*ending] != sweep.end()) {
-          sweep.erase(places[*ending]);
-        }
-      }
-      for (; begun < spans.size() && spans[begun].left.x <= ray.from.x; ++begun) {
-        if (ray.from.x < spans[begun].right.x) {
-          places[begun] = sweep.insert(&spans[begun]).first;
-        }
-      }
-      check_below(ray, sweep);
+    const auto is_crossed = [&](const Edge& p, const Edge& q) {
+      return orientation(from(p), to(p), from(q), tally_) *
+                 orientation(from(p), to(p), to(q), tally_) <
+             0;
+    };
+    if (is_crossed(e, f) && is_crossed(f, e)) {
+      fail(e, f, "cross");
     }
   }
 
-  void check_below(const Ray& ray, const Sweep& sweep) {
-    const auto above = sweep.lower_bound(ray.from);
-    if (above == sweep.begin()) {
-      fail_at(ray, "outside", 0);
+  // Goes round the place, counter-clockwise. Between the way back of a passage and its way on there
+  // is no solid, and so no way of another passage.
+  void check_passages(const Point& place) {
+    ways_.clear();
+    for (std::size_t k = 0; k < passages_.size(); ++k) {
+      ways_.push_back({passages_[k].from, k, true});
+      ways_.push_back({passages_[k].to, k, false});
     }
-    const Edge& below = (*std::prev(above))->edge;
-    if (from(below).x > to(below).x) {
-      fail_at(ray, below.ring == 0 ? "outside" : "inside", below.ring);
+    const auto turn = [&](const WayOut& p, const WayOut& q) {
+      return orientation(place, p.to, q.to, tally_);
+    };
+    const auto is_left = [&](const WayOut& p) { return lexicographically_less(p.to, place); };
+    std::sort(ways_.begin(), ways_.end(), [&](const WayOut& p, const WayOut& q) {
+      return is_left(p) != is_left(q) ? is_left(q) : turn(p, q) > 0;
+    });
+    for (std::size_t k = 0; k < ways_.size(); ++k) {
+      const WayOut& way = ways_[k];
+      const WayOut& next = ways_[k + 1 < ways_.size() ? k + 1 : 0];
+      const bool are_one = is_left(way) == is_left(next) && turn(way, next) == 0;
+      if (way.passage != next.passage && (are_one || way.is_back || !next.is_back)) {
+        fail(passages_[way.passage].edge, passages_[next.passage].edge,
+             "cross, overlap, or touch from the wrong side");
+      }
     }
   }
 
-  [[noreturn]] void fail(const Edge& e, const Edge& f, const char* what) const {
+  // The first vertex of a hole. That rings cross would be said first.
+  void check_below(Index hole, Sweep::iterator above) {
+    const bool is_lowest = above == sweep_.begin();
+    if (!misplaced_ && (is_lowest || !(*std::prev(above))->goes_right)) {
+      misplaced_ = {hole, is_lowest ? 0 : (*std::prev(above))->edge.ring};
+    }
+  }
+
+  [[noreturn]] void fail(Edge e, Edge f, const char* what) const {
+    if (e.ring > f.ring) {
+      std::swap(e, f);
+    }
     const Boundary::Corner& p = corner(e);
     const Boundary::Corner& q = corner(f);
     throw Error(Status::not_simple,
@@ -297,16 +284,21 @@ class Nesting {
                 from(e).x, from(e).y, q.vertex_number, from(f).x, from(f).y);
   }
 
-  [[noreturn]] void fail_at(const Ray& ray, const char* where, Index ring) const {
-    fail_outside(name_, ray.ring, where, ring, corner({ray.ring, 0}), ray.from);
-  }
-
   std::span<const Boundary* const> rings_;
   const char* name_;
-  std::vector<Edge> edges_;
-  std::vector<Box> boxes_;
-  std::vector<Index> group_;  // of each ring, another one of its group, or itself
   Tally tally_;
+  std::vector<std::size_t> first_;  // of all edges, that of each ring
+  std::vector<Edge> vertices_;      // as the edges behind them, in lexicographic order
+  std::vector<Span> spans_;         // of all edges
+  Sweep sweep_;
+  std::vector<Sweep::iterator> places_;  // of spans that the line meets
+  std::vector<Passage> passages_;        // through a point
+  std::vector<WayOut> ways_;             // of these
+  struct Misplaced {
+    Index hole;
+    Index ring;  // that it should not be in, or the outer one, which it should be in
+  };
+  std::optional<Misplaced> misplaced_;  // the first one
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace gcv {
 
 // Checks rings, each simple, the outer one first. Rings may touch one another in points, but not
 // cross or overlap; holes lie in the outer ring and outside one another. The caller's numbers name
-// the edges. O(n log n) where the boxes of few edges overlap. Tells what it took.
+// the edges. O(n log n). Tells what it took.
 // Throws Error: not_simple.
 Tally check_nesting(std::span<const Boundary* const> rings, const char* name);
 

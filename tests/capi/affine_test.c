@@ -206,7 +206,7 @@ static void numbers(void) {
   refuses(GCV_ERR_RANGE, "the mapped polygon: ring 0: the x coordinate of vertex 3 ", turned,
           MAP(0x1p1021, 0, 0, 0, 1, 0));
   refuses(GCV_ERR_NOT_SIMPLE,
-          "rings 0 and 1 cross, overlap, or touch from the wrong side: edges 4 and 7 ", turned,
+          "rings 0 and 1 cross, overlap, or touch from the wrong side: edges 4 and 9 ", turned,
           MAP(0, 1, 0, 1, 0, 0x1p54));
   gcv_polygon_destroy(turned);
   gcv_polygon_destroy(polygon);

@@ -117,7 +117,7 @@ static void messages(void) {
   /* Against the caller's direction, too, a vertex has its own number and place: the outer ring is
    * clockwise, and so is the hole that the message names by its smallest vertex. */
   CHECK_REFUSED(GCV_ERR_NOT_SIMPLE,
-                "edges 0 and 6 meet; they have an end in vertex 1 (0, 10) and in vertex 7 (-1, 2)",
+                "edges 0 and 4 meet; they have an end in vertex 1 (0, 10) and in vertex 5 (1, 1)",
                 create_rings(&clockwise_crossing, &polygon));
   CHECK_REFUSED(GCV_ERR_NOT_SIMPLE, "lies outside ring 0: edge 5 has an end in vertex 6 (20, 20)",
                 create_rings(&hole_outside, &polygon));
