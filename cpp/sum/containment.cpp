@@ -126,7 +126,12 @@ void for_each_edge(const ChordTree& tree, MayMeet may_meet, Visit visit) {
   }
 }
 
-// A solid of A and the first vertex of B, with its edges; or the other way round, without.
+// The edges of a solid that has no more are looked at one by one. Those of a container, which is
+// near everywhere, would be looked for among the edges of all members.
+constexpr Index few_edges = 16;
+
+// A solid of A and the first vertex of B, with edges to look for; or without, where all have been
+// looked at.
 struct SolidAt {
   Index first;
   Index end;
@@ -178,15 +183,23 @@ Containment containment_at(const Operands& operands, const PlacesOnLine& places,
       solids.push_back({0, 0, true, rings});
     }
     if (!are_apart(around, box)) {
-      box_of_all = hull_of(box_of_all, box);
-      solids.push_back({first, a.layout.end(a.solid_end(solid) - 1),
-                        solid != 0 || a.kind == Boundary::Kind::outer,
+      const Index end = a.layout.end(a.solid_end(solid) - 1);
+      const bool is_few = end - first <= few_edges;
+      solids.push_back({first, is_few ? first : end, solid != 0 || a.kind == Boundary::Kind::outer,
                         PointInRings(operands, places, place, tally)});
+      for (Index i = first; is_few && i < end; ++i) {
+        if (ahead.may_meet(box_of(a.relative(i), a.relative(a.next(i))))) {
+          solids.back().rings.pass(operands.translated(i, 0));
+        }
+      }
+      if (!is_few) {
+        box_of_all = hull_of(box_of_all, box);
+      }
     }
   });
   std::vector<std::uint64_t> by_first;  // with their places in `solids`
   for (std::size_t k = 0; k < solids.size(); ++k) {
-    if (solids[k].end > 0) {
+    if (solids[k].end > solids[k].first) {
       by_first.push_back(std::uint64_t{solids[k].first} << 32 | k);
     }
   }

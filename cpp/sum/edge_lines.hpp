@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "contributing_vertices.hpp"
@@ -26,6 +28,7 @@ class EdgeLines {
   void clear() {
     keys_.clear();
     first_.clear();
+    crowds_.clear();
     lines_.clear();
   }
 
@@ -34,10 +37,11 @@ class EdgeLines {
     const std::int64_t place = place_of(s);
     for (const std::int64_t near : {place, place - 1, place + 1}) {
       const std::uint32_t number = keys_.find(key(s, near));
-      for (std::uint32_t k = number == none ? none : first_[number]; k != none;
-           k = lines_[k].next) {
-        if (holds(lines_[k], s)) {
-          return &lines_[k].value;
+      if (number != none) {
+        const std::span<const std::uint32_t> lines = lines_of(number);
+        const Place among = place_among(lines, s);
+        if (among.is_there) {
+          return &lines_[lines[among.k]].value;
         }
       }
     }
@@ -49,19 +53,21 @@ class EdgeLines {
     if (Value* const value = find(s)) {
       return *value;
     }
+    const auto line = static_cast<std::uint32_t>(lines_.size());
     const auto [number, is_new] = keys_.add(key(s, place_of(s)));
     if (is_new) {
-      first_.push_back(none);
+      first_.push_back(line);
+    } else {
+      add_to_crowd(number, line, s);
     }
-    lines_.push_back({s, first_[number], {}});
-    first_[number] = static_cast<std::uint32_t>(lines_.size() - 1);
+    lines_.push_back({s, none, {}});
     return lines_.back().value;
   }
 
  private:
   struct Line {
-    PairEdge edge;       // that lies on it
-    std::uint32_t next;  // of the same key
+    PairEdge edge;        // that lies on it
+    std::uint32_t crowd;  // of the first line of a key that has several
     Value value;
   };
 
@@ -82,11 +88,49 @@ class EdgeLines {
   static std::uint64_t key(const PairEdge& s, std::int64_t place) {
     return static_cast<std::uint64_t>(place) * 0x9e3779b97f4a7c15U + s.rank;
   }
-  bool holds(const Line& line, const PairEdge& s) {
-    const EdgeName& name = line.edge;
-    return name == s ||
-           (line.edge.rank == s.rank && side(coordinates(operands_.a, operands_.b, line.edge),
-                                             operands_.start(s), tally_) == 0);
+  // The sign of the order of a line and that of an edge: 1 if the line comes first.
+  int compare(std::uint32_t line, const PairEdge& s) {
+    const PairEdge& edge = lines_[line].edge;
+    const EdgeName& name = edge;
+    if (name == s) {
+      return 0;
+    }
+    return edge.rank != s.rank
+               ? (edge.rank < s.rank ? 1 : -1)
+               : side(coordinates(operands_.a, operands_.b, edge), operands_.start(s), tally_);
+  }
+  // Those of a key, in order: of one direction, from right to left.
+  std::span<const std::uint32_t> lines_of(std::uint32_t number) {
+    const std::uint32_t crowd = lines_[first_[number]].crowd;
+    return crowd == none ? std::span<const std::uint32_t>(&first_[number], 1)
+                         : std::span<const std::uint32_t>(crowds_[crowd]);
+  }
+  void add_to_crowd(std::uint32_t number, std::uint32_t line, const PairEdge& s) {
+    Line& first = lines_[first_[number]];
+    if (first.crowd == none) {
+      first.crowd = static_cast<std::uint32_t>(crowds_.size());
+      crowds_.push_back({first_[number]});
+    }
+    std::vector<std::uint32_t>& crowd = crowds_[first.crowd];
+    crowd.insert(crowd.begin() + static_cast<std::ptrdiff_t>(place_among(crowd, s).k), line);
+  }
+
+  // Where the line of an edge is among lines in order, or would be.
+  struct Place {
+    std::size_t k;
+    bool is_there;
+  };
+  Place place_among(std::span<const std::uint32_t> lines, const PairEdge& s) {
+    std::size_t first = 0;
+    for (std::size_t last = lines.size(); first < last;) {
+      const std::size_t middle = first + (last - first) / 2;
+      const int order = compare(lines[middle], s);
+      if (order == 0) {
+        return {middle, true};
+      }
+      (order > 0 ? first : last) = order > 0 ? middle + 1 : middle;
+    }
+    return {first, false};
   }
 
   const Operands& operands_;
@@ -95,6 +139,8 @@ class EdgeLines {
   std::vector<Line> lines_;
   Keys keys_{{}, {}};
   std::vector<std::uint32_t> first_;  // line of each key
+  // In a row of members whose positions are rounded, thousands of lines have one place in doubles.
+  std::vector<std::vector<std::uint32_t>> crowds_;
 };
 
 }  // namespace gcv
