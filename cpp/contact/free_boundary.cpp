@@ -27,7 +27,7 @@ Box box_around(const Operands& operands, const PlacesOnLine& places, const Place
 
 FreeBoundary::FreeBoundary(const Operands& operands, const ExactRegion& region, double slack,
                            Tally& tally)
-    : operands_(operands) {
+    : operands_(operands), bounds_(empty_box) {
   for (const RegionPart& part : region.parts) {
     const std::size_t edges = part.is_ring() ? part.size : 1;
     for (std::size_t k = 0; k < edges; ++k) {
@@ -44,6 +44,7 @@ FreeBoundary::FreeBoundary(const Operands& operands, const ExactRegion& region, 
       box = hull_of(box, box_around(operands_, places, place_on(places, piece.to)));
     }
     boxes.push_back(widened(box, 8 * slack));
+    bounds_ = hull_of(bounds_, boxes.back());
   }
   tree_ = BoxTree(boxes);
   const double pieces_a_side = 8 * std::sqrt(static_cast<double>(pieces_.size()));

@@ -34,16 +34,20 @@ class FreeBoundary {
 
   // Calls visit(places, from, to, is_of_ring), in the direction of the line, for the pieces whose
   // distance from a point, in relative coordinates, may be at most `reach`, which may fall on the
-  // way. In squares that grow until one holds the reach: so it calls for some again.
+  // way. In squares that grow until one holds the reach or all: so it calls for some again.
   template <class Visit>
   void for_each_near(const Point& p, const double& reach, Tally& tally, Visit visit) const {
     double radius = first_radius_;
     bool is_last = false;
     do {
-      is_last = !(radius < reach);
-      tree_.for_each_near(
-          widened(box_of(p, p), is_last ? reach : radius),
-          [&](std::uint32_t k, const Box& /*box*/) { visit_piece(pieces_[k], tally, visit); });
+      Box square = widened(box_of(p, p), radius);
+      is_last = !(radius < reach) || holds(square, bounds_);
+      if (!(radius < reach)) {
+        square = widened(box_of(p, p), reach);
+      }
+      tree_.for_each_near(square, [&](std::uint32_t k, const Box& /*box*/) {
+        visit_piece(pieces_[k], tally, visit);
+      });
       is_last = is_last || !(reach > radius);
       radius *= 2;
     } while (!is_last);
@@ -69,6 +73,7 @@ class FreeBoundary {
   const Operands& operands_;
   std::vector<Piece> pieces_;
   BoxTree tree_;         // of the pieces
+  Box bounds_;           // of all
   double first_radius_;  // of squares, about as large as pieces are apart
 };
 

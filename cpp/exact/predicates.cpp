@@ -143,6 +143,17 @@ bool is_end(const SumEdge& s, const SumPoint& point) {
   return exact::side(s, point, tally);
 }
 
+// Of lines that are nearly parallel. lambda is within lo and the error of hi. The last terms cover
+// the roundings here.
+[[gnu::cold, gnu::noinline]] Interval precise_crossing_parameter(const SumEdge& s,
+                                                                 const SumEdge& t) {
+  const DoubleDoubleParameter lambda = double_double_parameter(s, t);
+  const double room = (1 + 8 * unit_roundoff) * (std::abs(lambda.lo) + lambda.error) +
+                      4 * unit_roundoff * std::abs(lambda.hi) + std::numeric_limits<double>::min();
+  return std::isfinite(room) ? Interval{lambda.hi - room, lambda.hi + room}
+                             : Interval{-infinity, infinity};
+}
+
 }  // namespace
 
 int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
@@ -208,8 +219,8 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
   const Approximation n = cross_of_offset(-t.dx, -t.dy, s.origin, t.origin);
   const Approximation d = cross_of_directions(s.dx, s.dy, t.dx, t.dy);
   const double size = std::abs(d.value);
-  if (!(size > 2 * d.error)) {
-    return {-infinity, infinity};
+  if (!(size > 0x1p8 * d.error)) {
+    return precise_crossing_parameter(s, t);
   }
   const double quotient = n.value / d.value;
   const double error =

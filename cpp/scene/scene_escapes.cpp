@@ -21,10 +21,6 @@ namespace gcv {
 
 namespace {
 
-bool holds(const Box& box, const Box& other) {
-  return box.x0 <= other.x0 && box.y0 <= other.y0 && box.x1 >= other.x1 && box.y1 >= other.y1;
-}
-
 Slots joined(const Slots& p, const Slots& q) {
   Slots all;
   std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(all));
