@@ -382,6 +382,65 @@ void free_region_of_pile() {
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(polygon);
 }
+// Calls ask(scene) for members at positions in a container of rings.
+template <class Ask>
+void with_container(const Polygon& rings, const std::vector<std::size_t>& sizes,
+                    const Polygon& member, const Polygon& positions, Ask ask) {
+  gcv_polygon* container = nullptr;
+  gcv_polygon* polygon = nullptr;
+  gcv_scene* scene = nullptr;
+  require(
+      gcv_polygon_create_rings(rings.front().data(), sizes.data(), sizes.size(), 0, &container));
+  require(gcv_polygon_create(member.front().data(), member.size(), 0, &polygon));
+  require(gcv_scene_create(&scene));
+  require(gcv_scene_set_container(scene, container));
+  for (const auto& position : positions) {
+    const gcv_polygon* const added = polygon;
+    std::uint64_t id = 0;
+    require(gcv_scene_add(scene, &added, position.data(), 1, &id));
+  }
+  ask(scene, polygon);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(polygon);
+  gcv_polygon_destroy(container);
+}
+// Their edges lie on lines that are nearly one, but for roundings of the positions.
+void free_region_of_row() {
+  constexpr double edge = 2000;
+  Polygon positions;
+  for (int k = 0; k < 400; ++k) {
+    positions.push_back({2.1 * k, 1.3 * k});
+  }
+  const Polygon slanting_square{{0, 0}, {0.84, 0.52}, {0.32, 1.36}, {-0.52, 0.84}};
+  with_container(
+      {{-edge, -edge}, {edge, -edge}, {edge, edge}, {-edge, edge}}, {4}, slanting_square, positions,
+      [](const gcv_scene* scene, const gcv_polygon* moving) {
+        gcv_region* region = nullptr;
+        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
+        gcv_region_destroy(region);
+      });
+}
+// Members between the holes of a container.
+void pairs_among_holes() {
+  constexpr int side = 40;
+  Polygon rings{{0, 0}, {side, 0}, {side, side}, {0, side}};
+  std::vector<std::size_t> sizes{4};
+  Polygon positions;
+  for (int k = 0; k < side * side; ++k) {
+    const double x = k % side;
+    const double y = k / side;  // NOLINT(bugprone-integer-division): rows
+    rings.insert(rings.end(),
+                 {{x + 0.3, y + 0.3}, {x + 0.3, y + 0.7}, {x + 0.7, y + 0.7}, {x + 0.7, y + 0.3}});
+    sizes.push_back(4);
+    positions.push_back({x + 0.8, y + 0.4});
+  }
+  with_container(rings, sizes, {{0, 0}, {0.1, 0}, {0.1, 0.1}}, positions,
+                 [](const gcv_scene* scene, const gcv_polygon* /*moving*/) {
+                   gcv_pair_list* pairs = nullptr;
+                   require(gcv_scene_pairs(scene, nullptr, 0, nullptr, nullptr, &pairs));
+                   gcv_pair_list_destroy(pairs);
+                 });
+}
 void best_in_scene() {
   Random random(6);
   Scene(random, 300, 600).find_best();
@@ -411,6 +470,8 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"scene_free_region", free_region_of_scene},
     {"scene_free_region_of_pile", free_region_of_pile},
     {"scene_free_region_of_plate", free_region_of_plate},
+    {"scene_free_region_of_row", free_region_of_row},
+    {"scene_pairs_among_holes", pairs_among_holes},
     {"scene_penetration", ways_out_of_plate}};
 
 }  // namespace
