@@ -46,6 +46,10 @@ class FirstEntry {
     return swept.any_child(block, limit_, visit);
   }
 
+  [[nodiscard]] bool are_beyond_reach(const ChainTree::Node& a, const ChainTree::Node& b) const {
+    return relative_.gap_between(a, b, {limit_ * motion_.x, limit_ * motion_.y}) > 0;
+  }
+
   // The edges of the block that are met on the way.
   template <bool is_of_a>
   bool meet_edges(const ChainTree::Block& block, const Box& box,

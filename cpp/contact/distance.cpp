@@ -28,6 +28,11 @@ class NearestPairs {
     return any_in_order(children_of(block), squares, limit_, visit);
   }
 
+  [[nodiscard]] bool are_beyond_reach(const ChainTree::Node& a, const ChainTree::Node& b) const {
+    const double gap = relative_.gap_between(a, b);
+    return gap > 0 && gap * gap > limit_;
+  }
+
   // The start of each of the edges and the other edge.
   template <bool is_of_a>
   bool meet_edges(const ChainTree::Block& block, const Box& /*box*/,

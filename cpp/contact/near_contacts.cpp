@@ -35,6 +35,11 @@ class NearContacts {
     return false;
   }
 
+  [[nodiscard]] bool are_beyond_reach(const ChainTree::Node& a, const ChainTree::Node& b) const {
+    const double gap = relative_.gap_between(a, b);
+    return gap > 0 && gap * gap > limit_;
+  }
+
   // The start of each of the edges, the other edge, and its start.
   bool meet(Index i, Index j) {
     count_pair();

@@ -42,6 +42,9 @@ bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit
 // In place of meet() it may have this, for an edge and all edges of a block of the other tree:
 //   meet_edges(block, box, edges): the block and the box of the edge as above.
 
+// And it may have this, which takes longer than boxes, and so is asked only after many visits:
+//   are_beyond_reach(a, b): is all below two nodes too far apart to matter?
+
 // All edges of a block of A or B, and an edge of the other one.
 template <bool is_of_a>
 struct EdgesOfBlock {
@@ -65,6 +68,11 @@ concept MeetsBlocks = requires(Search search, const ChainTree::Block& block, con
 };
 
 template <class Search>
+concept TellsReach = requires(const Search search, const ChainTree::Node& node) {
+  search.are_beyond_reach(node, node);
+};
+
+template <class Search>
 class PairDescent {
  public:
   // Of the trees of a pair with that offset.
@@ -75,6 +83,19 @@ class PairDescent {
   bool run() { return descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)}); }
 
  private:
+  // Most pairs of polygons take fewer, but for those with many long edges side by side in no
+  // direction of the axes: of these, boxes leave out little.
+  static constexpr std::uint64_t visits_by_boxes = 512;
+
+  // Where one of so many is beyond reach, at least, as far as is known.
+  static constexpr std::uint64_t one_of = 8;
+  static constexpr std::uint64_t trials = 256;
+  bool is_reach_asked() {
+    const bool is_asked = asked_ < trials || beyond_reach_ * one_of >= asked_;
+    asked_ += is_asked ? 1 : 0;
+    return is_asked;
+  }
+
   // With its box, seen from the first vertex of A.
   struct Node {
     ChainTree::Node place;
@@ -83,6 +104,13 @@ class PairDescent {
 
   // The larger node is left for its children.
   bool descend(const Node& a, const Node& b) {
+    if constexpr (TellsReach<Search>) {
+      if (++visits_ > visits_by_boxes && is_reach_asked() &&
+          search_.are_beyond_reach(a.place, b.place)) {
+        ++beyond_reach_;
+        return false;
+      }
+    }
     const bool a_is_edge = a_.is_edge(a.place);
     const bool b_is_edge = b_.is_edge(b.place);
     if constexpr (!MeetsBlocks<Search>) {
@@ -117,6 +145,9 @@ class PairDescent {
   const ChainTree& b_;
   const Point offset_;
   Search& search_;
+  std::uint64_t visits_ = 0;        // of pairs of nodes
+  std::uint64_t asked_ = 0;         // of these
+  std::uint64_t beyond_reach_ = 0;  // of these
 };
 
 }  // namespace gcv

@@ -70,6 +70,10 @@ class OverlapSearch {
                [&](std::uint32_t lane) { return meet(edges.i(lane), edges.j(lane)); });
   }
 
+  [[nodiscard]] bool are_beyond_reach(const ChainTree::Node& a, const ChainTree::Node& b) const {
+    return relative_.gap_between(a, b) > 0;
+  }
+
   bool meet(Index i, Index j) {
     if (overlap_at(i, j)) {
       found_ = {i, j};
