@@ -51,7 +51,7 @@ std::vector<Set> all_families() {
       {.name = "histograms"},  {.name = "mazes"},        {.name = "hilbert"},
       {.name = "gears"},       {.name = "saws"},         {.name = "needles"},
       {.name = "hairbrushes"}, {.name = "forked trees"}, {.name = "sunbursts"},
-      {.name = "wires"}};
+      {.name = "wires"},       {.name = "slanting"}};
   const auto add = [&](const char* family, Pair pair) {
     for (Set& set : result) {
       if (set.name == family) {
@@ -97,6 +97,15 @@ std::vector<Set> all_families() {
     const std::string name = "spiral of " + std::to_string(n) + " turns";
     add("spirals", with_small(name, 0.7, [n] { return spiral(n); }));
     add("spirals", twice(name, [n] { return spiral(n); }));
+  }
+  // Long edges in no direction of the axes.
+  for (const int n : {250, 2500}) {
+    const auto add_slanting = [&](const std::string& name, const std::function<Ring()>& make) {
+      add("slanting", with_small("slanting " + name, 0.4, [make] { return slanting(make()); }));
+    };
+    add_slanting("comb of " + std::to_string(n) + " teeth", [n] { return comb(n, 1, 2 * n); });
+    add_slanting("zigzag of " + std::to_string(n), [n] { return zigzag(n, n); });
+    add_slanting("spiral of " + std::to_string(n) + " turns", [n] { return spiral(n); });
   }
   for (const int n : {20, 50}) {
     const std::string name = "plate of " + sizes(n) + " holes";

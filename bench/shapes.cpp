@@ -131,15 +131,22 @@ Ring koch(int level) {
   return ring;
 }
 
-Ring zigzag(int corners) {
+Ring zigzag(int corners, double height) {
   Ring ring;
   Ring upper;
   for (int k = 0; k < corners; ++k) {
-    const double y = k % 2 == 0 ? 0 : 40;
+    const double y = k % 2 == 0 ? 0 : height;
     ring.push_back({static_cast<double>(k), y});
     upper.push_back({static_cast<double>(k), y + 1});
   }
   ring.insert(ring.end(), upper.rbegin(), upper.rend());
+  return ring;
+}
+
+Ring slanting(Ring ring) {
+  for (Point& p : ring) {
+    p = {4 * p.x - 3 * p.y, 3 * p.x + 4 * p.y};
+  }
   return ring;
 }
 

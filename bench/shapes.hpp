@@ -37,7 +37,10 @@ Ring quarter_turned(Ring ring);
 Ring koch(int level);
 
 // A thin strip that goes to and fro.
-Ring zigzag(int corners);
+Ring zigzag(int corners, double height = 40);
+
+// Turned by some 37 degrees and five times as large: the exact numbers stay whole ones.
+Ring slanting(Ring ring);
 
 // A wall that winds inwards: 8 vertices a turn.
 Ring spiral(int turns);

@@ -30,6 +30,7 @@ std::vector<System> systems() {
       {"libgcv without place cache", Role::libgcv, 1e8, libgcv_cold(GCV_NO_PLACE_CACHE_LIBRARY)},
       {"libgcv without ahead cache", Role::libgcv, 1e8, libgcv_cold(GCV_NO_AHEAD_CACHE_LIBRARY)},
       {"libgcv without equal chains", Role::libgcv, 1e8, libgcv_cold(GCV_NO_EQUAL_CHAINS_LIBRARY)},
+      {"libgcv without curve order", Role::libgcv, 1e8, libgcv_cold(GCV_NO_CURVE_ORDER_LIBRARY)},
       {"CGAL reduced convolution", Role::principal_peer, 1e8, cgal_reduced_convolution},
 #ifdef GCV_BENCH_CLIPPER2
       {"Clipper2", Role::principal_peer, 3e5, on_29_bits(clipper2)},

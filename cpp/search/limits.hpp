@@ -28,6 +28,11 @@ inline constexpr std::uint64_t most_boxes_over_a_place = 64;
 inline constexpr std::uint32_t most_short_edges = 16;
 inline constexpr std::uint32_t edges_a_short_one = 8;
 
+// Trees may be in the order of a curve where a polygon has so many times the edges of the other.
+// Sums of spirals with themselves take 1.3 to 1.5 times as long then, beside small polygons 0.14 to
+// 0.02 of the time.
+inline constexpr std::uint32_t edges_a_small_one = 16;
+
 // Equal chains are looked for where both polygons have so many edges: smaller sums are quick as
 // they are.
 inline constexpr std::uint32_t fewest_edges_with_equal_chains = 64;

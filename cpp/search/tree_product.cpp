@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "limits.hpp"
+
 namespace gcv {
 
 namespace {
@@ -21,13 +23,19 @@ double mean_edge_size_of(const Operands& operands) {
   return sum / (static_cast<double>(operands.a.size()) + operands.b.size());
 }
 
+const ChainIndex& index_for(const Boundary& polygon, const Boundary& other,
+                            const EqualChains& chains) {
+  const bool is_alone = other.size() <= polygon.size() / limits::edges_a_small_one;
+  return is_alone && !chains.exist() ? polygon.search_index() : polygon.index();
+}
+
 }  // namespace
 
-// Repeated chains are numbered in the order of the boundary.
+// Repeated chains are numbered in the order of the boundary. Two large polygons are searched in
+// that order, too: what is inside a spiral lies inside of their sum, and is hardly looked at.
 TreeProduct::TreeProduct(const Operands& operands, EqualChains chains)
-    : TreeProduct(operands, chains.exist() ? operands.a.index() : operands.a.search_index(),
-                  chains.exist() ? operands.b.index() : operands.b.search_index(),
-                  std::move(chains)) {}
+    : TreeProduct(operands, index_for(operands.a, operands.b, chains),
+                  index_for(operands.b, operands.a, chains), std::move(chains)) {}
 
 TreeProduct::TreeProduct(const Operands& operands, const ChainIndex& a, const ChainIndex& b,
                          EqualChains chains)
