@@ -4,6 +4,7 @@
 // soon found.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -40,11 +41,8 @@ class FreeBoundary {
     double radius = first_radius_;
     bool is_last = false;
     do {
-      Box square = widened(box_of(p, p), radius);
+      const Box square = widened(box_of(p, p), std::min(radius, reach));
       is_last = !(radius < reach) || holds(square, bounds_);
-      if (!(radius < reach)) {
-        square = widened(box_of(p, p), reach);
-      }
       tree_.for_each_near(square, [&](std::uint32_t k, const Box& /*box*/) {
         visit_piece(pieces_[k], tally, visit);
       });

@@ -6,8 +6,9 @@
 // the vertices in lexicographic order, as in simplicity.cpp. It keeps the edges that it meets in
 // order, from bottom to top, and tests edges that become neighbours: two that cross do so before
 // the line comes to their crossing. At each vertex it looks at the ways of all rings through that
-// point. A ring whose smallest vertex touches no other is located there: right below must be an
-// edge with the solid above. Edges further left have been found to lie well by then.
+// point. Holes that begin there, in their smallest vertices, and touch none that has begun before,
+// are located: right below must be an edge with the solid above. Edges further left have been found
+// to lie well by then.
 #include "ring_nesting.hpp"
 
 #include <algorithm>
@@ -163,7 +164,11 @@ class Nesting {
     }
     if (passages_.size() > 1) {
       check_passages(place);
-    } else if (lowest == beyond && vertices.front().number == 0 && vertices.front().ring != 0) {
+    }
+    const bool all_begin = std::all_of(vertices.begin(), vertices.end(), [](const Edge& vertex) {
+      return vertex.number == 0 && vertex.ring != 0;
+    });
+    if (lowest == beyond && all_begin) {
       check_below(vertices.front().ring, lowest);
     }
     while (lowest != beyond) {
@@ -263,7 +268,7 @@ class Nesting {
     }
   }
 
-  // The first vertex of a hole. That rings cross would be said first.
+  // A hole begins. That rings cross would be said first.
   void check_below(Index hole, Sweep::iterator above) {
     const bool is_lowest = above == sweep_.begin();
     if (!misplaced_ && (is_lowest || !(*std::prev(above))->goes_right)) {
