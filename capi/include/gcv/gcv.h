@@ -224,7 +224,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_wkt(const char *text, size_t
  *         where they may not; the message names the rings and the edges.
  *         Of collinear edges of a ring, which are checked as one, the first along the
  *         normalised ring: counter-clockwise, holes clockwise.
- * Exactness: all checks are exact. Cost: O(n log n) where the boxes of few edges overlap.
+ * Exactness: all checks are exact. Cost: O(n log n).
  * Threads: any. @since 0.2
  */
 GCV_API GCV_NODISCARD gcv_status gcv_polygon_create_rings(const double *xy,
