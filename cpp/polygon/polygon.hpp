@@ -48,7 +48,7 @@ std::vector<const Boundary*> rings_of(const Polygon& polygon);
 // The polygon of the given boundaries, the outer one first, at least one. The caller's numbers of
 // vertices run through all of them. Rings may touch one another in points, but not cross or
 // overlap; holes lie in the outer ring and outside one another.
-// O(n log n) where the boxes of few edges overlap.
+// O(n log n).
 // Throws Error: as make_ring(), with the number of the ring; not_simple for rings that cross,
 // overlap, or lie where they may not.
 Polygon make_polygon(std::vector<PointVector> boundaries, const char* name);

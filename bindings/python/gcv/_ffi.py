@@ -17,7 +17,8 @@ from ctypes import (
     c_uint64,
     c_void_p,
 )
-from typing import Any, Callable, ClassVar, NoReturn
+from functools import partial
+from typing import Any, Callable, NoReturn
 
 from ._loader import load
 from ._structs import Options, Query, Stats
@@ -205,42 +206,47 @@ def _function(name: str, *argtypes: Any) -> Any:
 class _Handle(c_void_p):
     """Owns an object of the library: ends it together with itself."""
 
-    _destroy: ClassVar[Any]
-
-    def __del__(self) -> None:
-        if self:
-            self._destroy(self)
-
     def __reduce__(self) -> NoReturn:
         raise TypeError("handles of libgcv cannot be pickled or copied")
 
 
+def _ended_by(name: str) -> Any:
+    """What is to be __del__ of a handle, by the function of the library that ends its object.
+
+    It gives that function bound to the handle. All of it is of C: what a handler of a signal
+    raises in a __del__ of Python, such as KeyboardInterrupt, would be lost.
+    """
+    function = _declare(name, None, c_void_p)
+    # A library without it makes no such objects.
+    return property(partial(partial, bool if isinstance(function, _Missing) else function))
+
+
 class Polygon(_Handle):
-    _destroy = _declare("gcv_polygon_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_polygon_destroy")
 
 
 class OuterFace(_Handle):
-    _destroy = _declare("gcv_outer_face_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_outer_face_destroy")
 
 
 class Region(_Handle):
-    _destroy = _declare("gcv_region_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_region_destroy")
 
 
 class ContactList(_Handle):
-    _destroy = _declare("gcv_contact_list_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_contact_list_destroy")
 
 
 class Scene(_Handle):
-    _destroy = _declare("gcv_scene_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_scene_destroy")
 
 
 class PairList(_Handle):
-    _destroy = _declare("gcv_pair_list_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_pair_list_destroy")
 
 
 class Superset(_Handle):
-    _destroy = _declare("gcv_superset_destroy", None, c_void_p)
+    __del__ = _ended_by("gcv_superset_destroy")
 
 
 # -------------------------------------------------------------- functions --
@@ -348,14 +354,16 @@ _asked = (POINTER(Query), _options)
 
 scene_create = _function("gcv_scene_create", _scene)
 scene_copy = _function("gcv_scene_copy", Scene, _scene)
-scene_set_container = _function("gcv_scene_set_container", Scene, Polygon)
-scene_add = _function("gcv_scene_add", Scene, _handles, c_void_p, c_size_t, c_void_p)
-scene_set = _function("gcv_scene_set", Scene, c_void_p, _handles, c_void_p, c_size_t)
-scene_set_layers = _function("gcv_scene_set_layers", Scene, c_void_p, c_void_p, c_size_t)
-scene_remove = _function("gcv_scene_remove", Scene, c_void_p, c_size_t)
 scene_ids = _function("gcv_scene_ids", Scene, *_buffer)
 scene_positions = _function("gcv_scene_positions", Scene, c_void_p, c_size_t, c_void_p)
 scene_polygon = _function("gcv_scene_polygon", Scene, c_uint64, _polygon)
+
+# These return the status: at_once looks at it.
+scene_set_container = _declare("gcv_scene_set_container", c_int32, Scene, Polygon)
+scene_add = _declare("gcv_scene_add", c_int32, Scene, _handles, c_void_p, c_size_t, c_void_p)
+scene_set = _declare("gcv_scene_set", c_int32, Scene, c_void_p, _handles, c_void_p, c_size_t)
+scene_set_layers = _declare("gcv_scene_set_layers", c_int32, Scene, c_void_p, c_void_p, c_size_t)
+scene_remove = _declare("gcv_scene_remove", c_int32, Scene, c_void_p, c_size_t)
 
 _moving = (Scene, Polygon, c_void_p)
 scene_free_region = _function("gcv_scene_free_region", *_moving, *_asked, _region)

@@ -6,10 +6,13 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Optional
-from weakref import WeakSet
+import time
+from typing import Callable, Optional, TypeVar
+from weakref import ref
+
+_T = TypeVar("_T")
+
+_SHORTEST_PAUSE, _LONGEST_PAUSE = 1e-4, 1e-2
 
 
 class Gate:
@@ -19,59 +22,60 @@ class Gate:
     done. A thread that asks may ask more meanwhile, but not change: it would wait for
     itself. So that raises RuntimeError. A thread that changes may do neither.
 
+    A handler of a signal can raise at any call of a function, at the begin of one, and
+    when a loop goes round. So nothing that has to be undone is left to a function of
+    Python: it is undone by the end of a with statement of a plain lock, or by a finally
+    clause that begins with the only call of it, one of C.
+
     A process that comes of a fork has the thread alone that forked. What others asked at
     that time is over there. What one of them was changing may be changed in part: it lets
     nobody in.
     """
 
     def __init__(self) -> None:
-        self._state = threading.Condition()
+        self._turnstile = threading.Lock()
+        """What all pass that come to ask. One that changes is in it, or waits there."""
         self._is_broken = False
-        _GATES.add(self)
-        self._asking: dict[int, int] = {}
-        """How often each thread asks at the moment."""
+        self._asking: dict[object, int] = {}
+        """The threads that ask at the moment, each as often as it does."""
         self._changing: Optional[int] = None
         """The thread that changes."""
-        self._waiting = 0
-        """The number of threads that wait to change."""
+        _GATES.add(ref(self, _GATES.discard))
 
-    @contextmanager
-    def asking(self) -> Iterator[None]:
+    def ask(self, call: Callable[[], _T], caller: Optional[int] = None) -> _T:
+        """Return call() while nothing changes.
+
+        caller: the thread that waits for this one. Where it asks, this one need not wait.
+        """
         thread = threading.get_ident()
-        with self._state:
-            self._refuse_within_change(thread)
-            if thread not in self._asking:
-                self._state.wait_for(lambda: self._changing is None and not self._waiting)
-            self._asking[thread] = self._asking.get(thread, 0) + 1
+        self._refuse_within_change(thread)
+        question = object()
         try:
-            yield
+            if (caller or thread) in list(self._asking.values()):
+                self._asking[question] = thread
+            else:
+                with self._turnstile:
+                    self._asking[question] = thread
+            return call()
         finally:
-            with self._state:
-                self._asking[thread] -= 1
-                if not self._asking[thread]:
-                    del self._asking[thread]
-                    self._state.notify_all()
+            self._asking.pop(question, None)
 
-    @contextmanager
-    def changing(self) -> Iterator[None]:
+    def change(self, call: Callable[[], _T]) -> _T:
+        """Return call() while nothing else goes on."""
         thread = threading.get_ident()
-        with self._state:
-            self._refuse_within_change(thread)
-            if thread in self._asking:
-                raise RuntimeError("the scene is being asked: it cannot change before that ends")
-            self._waiting += 1
+        self._refuse_within_change(thread)
+        if thread in list(self._asking.values()):
+            raise RuntimeError("the scene is being asked: it cannot change before that ends")
+        with self._turnstile:
+            pause = _SHORTEST_PAUSE
+            while self._asking:
+                time.sleep(pause)
+                pause = min(2 * pause, _LONGEST_PAUSE)
             try:
-                self._state.wait_for(lambda: self._changing is None and not self._asking)
                 self._changing = thread
+                return call()
             finally:
-                self._waiting -= 1
-                self._state.notify_all()
-        try:
-            yield
-        finally:
-            with self._state:
                 self._changing = None
-                self._state.notify_all()
 
     def _refuse_within_change(self, thread: int) -> None:
         if self._is_broken:
@@ -81,18 +85,21 @@ class Gate:
 
     def _after_fork(self) -> None:
         thread = threading.get_ident()
-        self._state = threading.Condition()
-        self._asking = {known: n for known, n in self._asking.items() if known == thread}
-        self._is_broken = self._is_broken or self._changing not in (None, thread)
-        self._waiting = 0
+        self._asking = {key: known for key, known in self._asking.items() if known == thread}
+        if self._changing != thread:
+            self._turnstile = threading.Lock()
+            self._is_broken = self._is_broken or self._changing is not None
 
 
-_GATES: WeakSet[Gate] = WeakSet()
+# References that end by a function of C: no handler of a signal can raise meanwhile.
+_GATES: set[ref[Gate]] = set()
 
 
 def _after_fork() -> None:
-    for gate in list(_GATES):
-        gate._after_fork()
+    for reference in list(_GATES):
+        gate = reference()
+        if gate is not None:
+            gate._after_fork()
 
 
 if hasattr(os, "register_at_fork"):

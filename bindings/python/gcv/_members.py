@@ -10,10 +10,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from copy import deepcopy
 from ctypes import byref, c_uint64, sizeof
+from itertools import repeat
 from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVar, Union, overload
 
 from . import _ffi, _structs
-from ._call import run
+from ._at_once import at_once, setting
 from ._contacts import record, records
 from ._coordinates import check_order, point_or_points, points, size
 from ._gate import Gate
@@ -62,11 +63,6 @@ class Members:
         if container is not None:
             self.container = container
 
-    def _change(self, call: Callable[[], None], vertex_count: int) -> None:
-        """Make a change alone, and whole where Ctrl-C comes meanwhile."""
-        with self._gate.changing():
-            run(lambda _options: call(), vertex_count, "nearest", 0.0, 1, None)
-
     @property
     def container(self) -> Optional[Polygon]:
         """The polygon that members are to be in, id 1; None for none. It can be set.
@@ -81,12 +77,9 @@ class Members:
     def container(self, container: Optional[PolygonLike]) -> None:
         polygon = None if container is None else as_polygon(container, "container")
 
-        def change() -> None:
-            handle = None if polygon is None else polygon._handle
-            _ffi.scene_set_container(self._handle, handle)
-            self._container = polygon
-
-        self._change(change, 0 if polygon is None else vertices(polygon))
+        handle = None if polygon is None else polygon._handle
+        note = setting(self, "_container", (polygon,))
+        self._gate.change(lambda: at_once(_ffi.scene_set_container, (self._handle, handle), note))
 
     @overload
     def add(  # type: ignore[overload-overlap]
@@ -127,15 +120,18 @@ class Members:
         )
         found = found * count if is_one else found
         doubles = doubles * count if is_pair else doubles
-        ids, vertex_count = (c_uint64 * count)(), sum(map(vertices, found))
+        ids, handles = (c_uint64 * count)(), handle_array(found)
+        vertex_count = sum(map(vertices, found))
 
         def change() -> None:
-            _ffi.scene_add(self._handle, handle_array(found), doubles, count, ids)
-            self._polygons.update(zip(ids, found))
-            self._last = max((self._last, *ids))
-            self._vertices += vertex_count
+            at_once(
+                *(_ffi.scene_add, (self._handle, handles, doubles, count, ids)),
+                map(self._polygons.update, (zip(ids, found),)),
+                setting(self, "_last", reversed(ids)),
+                setting(self, "_vertices", (self._vertices + vertex_count,)),
+            )
 
-        self._change(change, vertex_count)
+        self._gate.change(change)
         return record(ids) if is_one and is_pair else records(ids)
 
     def set(
@@ -167,14 +163,20 @@ class Members:
             doubles = doubles * len(numbers) if is_pair else doubles
         count = _in_common(counts, ids)
 
-        def change() -> None:
-            handles = None if found is None else handle_array(found)
-            _ffi.scene_set(self._handle, numbers.tobytes(), handles, doubles, count)
-            for number, polygon in zip(numbers, found or ()):
-                self._vertices += vertices(polygon) - vertices(self._polygons[number])
-                self._polygons[number] = polygon
+        handles = None if found is None else handle_array(found)
+        arguments = self._handle, numbers.tobytes(), handles, doubles, count
 
-        self._change(change, count + sum(map(vertices, found or ())))
+        def change() -> None:
+            if found is None:
+                return at_once(_ffi.scene_set, arguments)
+            vertex_count = sum(map(vertices, found)) - self._vertices_of(numbers)
+            return at_once(
+                *(_ffi.scene_set, arguments),
+                map(self._polygons.update, (zip(numbers, found),)),
+                setting(self, "_vertices", (self._vertices + vertex_count,)),
+            )
+
+        self._gate.change(change)
 
     def move(self, ids: WholeNumbers, positions: Any) -> None:
         """Move members to other positions, as set does."""
@@ -194,11 +196,9 @@ class Members:
         count = _in_common({"ids": len(numbers), "layers": None if is_one else len(bits)}, ids)
         bits = bits * count if is_one else bits
 
-        def change() -> None:
-            _ffi.scene_set_layers(self._handle, numbers.tobytes(), bits.tobytes(), count)
-            self._layers.update(zip(numbers, bits))
-
-        self._change(change, count)
+        arguments = self._handle, numbers.tobytes(), bits.tobytes(), count
+        note = map(self._layers.update, (zip(numbers, bits),))
+        self._gate.change(lambda: at_once(_ffi.scene_set_layers, arguments, note))
 
     def remove(self, ids: WholeNumbers) -> None:
         """Take members out. Their ids are never used again.
@@ -208,12 +208,20 @@ class Members:
         numbers, _ = ids_of(ids, "ids")
 
         def change() -> None:
-            _ffi.scene_remove(self._handle, numbers.tobytes(), len(numbers))
-            for number in numbers:
-                self._vertices -= vertices(self._polygons.pop(number))
-                self._layers.pop(number, None)
+            vertex_count = self._vertices - self._vertices_of(numbers)
+            at_once(
+                *(_ffi.scene_remove, (self._handle, numbers.tobytes(), len(numbers))),
+                map(self._polygons.pop, numbers),
+                map(self._layers.pop, numbers, repeat(None)),
+                setting(self, "_vertices", (vertex_count,)),
+            )
 
-        self._change(change, len(numbers))
+        self._gate.change(change)
+
+    def _vertices_of(self, ids: Iterable[int]) -> int:
+        """The number of vertices of those of the ids that are of members."""
+        found = map(self._polygons.get, ids)
+        return sum(vertices(polygon) for polygon in found if polygon is not None)
 
     @property
     def ids(self) -> numpy.typing.NDArray[numpy.uint64]:
@@ -225,8 +233,7 @@ class Members:
         return found
 
     def _ids(self) -> Any:
-        with self._gate.asking():
-            return _ffi.elements(_ffi.scene_ids, c_uint64, self._handle)
+        return self._gate.ask(lambda: _ffi.elements(_ffi.scene_ids, c_uint64, self._handle))
 
     @overload
     def positions(self, ids: int) -> tuple[float, float]: ...
@@ -248,10 +255,14 @@ class Members:
         Raises InputError for an id that is no member's or is given twice.
         """
         check_order(ids, "ids")
-        with self._gate.asking():
+
+        def ask() -> tuple[Any, bool]:
             numbers, is_one = ids_of(self._ids() if ids is None else ids, "ids")
             out = (_structs.Point * len(numbers))()
             _ffi.scene_positions(self._handle, numbers.tobytes(), len(numbers), out)
+            return out, is_one
+
+        out, is_one = self._gate.ask(ask)
         return record(out) if is_one else records(out)
 
     def polygon(self, id: SupportsIndex) -> Polygon:
@@ -271,13 +282,16 @@ class Members:
         From then on each changes alone. Members that are added to both get the same ids.
         Takes O(n).
         """
-        handle = _ffi.Scene()
         made = type(self).__new__(type(self))
-        with self._gate.asking():
-            _ffi.scene_copy(self._handle, byref(handle))
-            made._gate, made._handle, made._container = Gate(), handle, self._container
+        made._gate, made._handle = Gate(), _ffi.Scene()
+
+        def ask() -> None:
+            _ffi.scene_copy(self._handle, byref(made._handle))
+            made._container, made._vertices = self._container, self._vertices
             made._polygons, made._layers = dict(self._polygons), dict(self._layers)
-            made._last, made._vertices = self._last, self._vertices
+            made._last = self._last
+
+        self._gate.ask(ask)
         _attributes(made).update(_attributes(self))
         return made
 
@@ -309,9 +323,13 @@ class Members:
     def __reduce__(
         self,
     ) -> tuple[Callable[..., Members], tuple[Any, ...], Optional[dict[str, Any]]]:
-        with self._gate.asking():
-            state = dict(self._polygons), self._all_positions(), dict(self._layers), self._last
-            return _restored, (type(self), self._container, *state), _attributes(self) or None
+        state = self._gate.ask(
+            lambda: (
+                *(type(self), self._container, dict(self._polygons), self._all_positions()),
+                *(dict(self._layers), self._last),
+            )
+        )
+        return _restored, state, _attributes(self) or None
 
     def _all_positions(self) -> bytes:
         """The positions of all members, as doubles."""

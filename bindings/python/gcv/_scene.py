@@ -194,9 +194,12 @@ class Scene(Places):
 
     def _all_ring_points(self, scale: float) -> tuple[list[Points], list[list[Points]]]:
         """The rings of the container and those of each member, where it is."""
-        with self._gate.asking():
-            container, polygons = self._container, list(self._polygons.values())
-            places = points(self._all_positions())
+        container, polygons, places = self._gate.ask(
+            lambda: (
+                *(self._container, list(self._polygons.values())),
+                points(self._all_positions()),
+            )
+        )
 
         def placed(polygon: Polygon, place: tuple[float, float]) -> list[Points]:
             x, y = scale * place[0], scale * place[1]

@@ -190,9 +190,12 @@ class Places(Questions):
         leave_out: LeaveOut,
     ) -> None:
         """As run does call(options), while nothing changes."""
-        with self._gate.asking():
+
+        def ask() -> None:
             pairs = vertices(moving) * (self._container_vertices() + self._vertices)
-            run(call, pairs, rounding, 0, threads, progress, leave_out)
+            run(self._kept(call), pairs, rounding, 0, threads, progress, leave_out)
+
+        self._gate.ask(ask)
 
 
 def _box_or_none(window: Optional[Iterable[SupportsFloat]]) -> Any:

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from ctypes import c_int8, c_uint64
+from threading import get_ident
 from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, Union, overload
 
 from . import _ffi, _structs
@@ -245,8 +246,17 @@ class Questions(Members):
     ) -> None:
         """As run does call(options), while nothing changes; visited is a number of vertices."""
         pairs = visited // VERTICES_A_PAIR
-        with self._gate.asking():
-            run(call, pairs, "nearest", 0.0, threads, progress, leave_out)
+        self._gate.ask(
+            lambda: run(self._kept(call), pairs, "nearest", 0.0, threads, progress, leave_out)
+        )
+
+    def _kept(self, call: Callable[[Any], object]) -> Callable[[Any], object]:
+        """The call, in whatever thread it is made: nothing changes before it ends.
+
+        Not even where the thread that waits for it was interrupted, again and again.
+        """
+        caller = get_ident()
+        return lambda options: self._gate.ask(lambda: call(options), caller)
 
     def _vertices_near(self, own: int) -> int:
         """A guess of the vertices that a polygon of so many is compared with, and its own."""
