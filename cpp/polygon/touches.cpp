@@ -2,50 +2,44 @@
 #include "touches.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "box.hpp"
-#include "overlapping_pairs.hpp"
-#include "predicates.hpp"
+#include "ring_sweep.hpp"
+#include "tally.hpp"
 
 namespace gcv {
+
+namespace {
+
+struct TouchSearch {
+  std::vector<std::vector<Index>> on_edges;  // vertices of other rings on the inside of each edge
+  std::vector<Index> shared;                 // vertices with others in the same point
+
+  void pass(const RingSweep<TouchSearch>::Place& at) {
+    if (at.through != RingSweep<TouchSearch>::none) {
+      std::vector<Index>& on = on_edges[at.through];
+      on.insert(on.end(), at.vertices.begin(), at.vertices.end());
+    }
+    if (at.vertices.size() > 1) {
+      shared.insert(shared.end(), at.vertices.begin(), at.vertices.end());
+    }
+  }
+  void meet(Index /*below*/, Index /*above*/) {}
+};
+
+}  // namespace
 
 Touches::Touches(const PointVector& points, const RingLayout& layout) : size_(layout.size()) {
   if (layout.ring_count() == 1) {
     return;
   }
   const Index n = layout.size();
-  std::vector<Box> boxes(n);
-  for (Index i = 0; i < n; ++i) {
-    boxes[i] = box_of(points[i], points[layout.next(i)]);
-  }
-  // Vertices of other rings on the inside of each edge; vertices with others in the same point.
-  std::vector<std::vector<Index>> on_edges(n);
-  std::vector<Index> shared;
+  TouchSearch search{std::vector<std::vector<Index>>(n), {}};
   Tally tally;
-  const auto meet = [&](Index edge, Index vertex) {
-    const Point& p = points[vertex];
-    const Point& from = points[edge];
-    const Point& to = points[layout.next(edge)];
-    if (p == from) {
-      shared.insert(shared.end(), {edge, vertex});
-    } else if (!(p == to) && !are_apart(boxes[edge], box_of(p, p)) &&
-               orientation(from, to, p, tally) == 0) {
-      on_edges[edge].push_back(vertex);
-    }
-  };
-  OverlappingPairs(boxes).visit_all([&](std::size_t e, std::size_t f) {
-    const auto i = static_cast<Index>(e);
-    const auto j = static_cast<Index>(f);
-    if (layout.ring_of(i) != layout.ring_of(j)) {
-      meet(i, j);
-      meet(i, layout.next(j));
-      meet(j, i);
-      meet(j, layout.next(i));
-    }
-  });
+  RingSweep(points, layout, search, tally).run();
+  const auto& [on_edges, shared] = search;
 
-  std::vector<Index> vertices = std::move(shared);
+  std::vector<Index> vertices = shared;
   for (const std::vector<Index>& on : on_edges) {
     vertices.insert(vertices.end(), on.begin(), on.end());
   }

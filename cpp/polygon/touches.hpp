@@ -42,7 +42,7 @@ class Touches {
   Touches() = default;
   // None yet, of so many vertices.
   explicit Touches(Index size) : size_(size) {}
-  // O(n log n) where the boxes of few edges overlap.
+  // O(n log n).
   Touches(const PointVector& points, const RingLayout& layout);
 
   // Those of the vertices from `first` on.
