@@ -46,7 +46,7 @@ struct WayOut {
       hole, where, ring, p.edge_number, p.vertex_number, end.x, end.y);
 }
 
-class Nesting {
+class Nesting : public RingVisitor {
  public:
   Nesting(std::span<const Boundary* const> rings, const char* name)
       : rings_(rings), name_(name), layout_(rings.front()->size()) {
@@ -59,7 +59,7 @@ class Nesting {
   }
 
   Tally check() {
-    Sweep(points_, layout_, *this, tally_).run();
+    sweep_over(points_, layout_, *this, tally_);
     if (misplaced_) {
       const Index vertex = layout_.begin(misplaced_->hole);
       fail_outside(name_, misplaced_->hole, misplaced_->ring == 0 ? "outside" : "inside",
@@ -69,9 +69,6 @@ class Nesting {
   }
 
  private:
-  using Sweep = RingSweep<Nesting>;
-  friend Sweep;
-
   [[nodiscard]] Index ring(Index edge) const { return layout_.ring_of(edge); }
   [[nodiscard]] const Point& from(Index edge) const { return points_[edge]; }
   [[nodiscard]] const Point& to(Index edge) const { return points_[layout_.next(edge)]; }
@@ -82,14 +79,14 @@ class Nesting {
   // Is it the first vertex of a hole?
   [[nodiscard]] bool begins(Index vertex) const { return layout_.starts_another(vertex); }
 
-  void pass(const Sweep::Place& at) {
+  void pass(const Place& at) override {
     const Index first = at.vertices.front();
-    if (at.vertices.size() > 1 || at.through != Sweep::none) {
+    if (at.vertices.size() > 1 || at.through != none) {
       passages_.clear();
       for (const Index vertex : at.vertices) {
         passages_.push_back({vertex, points_[layout_.previous(vertex)], to(vertex)});
       }
-      if (at.through != Sweep::none) {
+      if (at.through != none) {
         passages_.push_back({at.through, from(at.through), to(at.through)});
       }
       check_passages(points_[first]);
@@ -101,7 +98,7 @@ class Nesting {
   }
 
   // Do the edges of two rings cross between their ends?
-  void meet(Index e, Index f) {
+  void meet(Index e, Index f) override {
     if (ring(e) == ring(f)) {
       return;
     }
@@ -143,9 +140,9 @@ class Nesting {
 
   // A hole begins. That rings cross would be said first.
   void check_below(Index hole, Index below) {
-    const bool is_in_solid = below != Sweep::none && lexicographically_less(from(below), to(below));
+    const bool is_in_solid = below != none && lexicographically_less(from(below), to(below));
     if (!misplaced_ && !is_in_solid) {
-      misplaced_ = {hole, below == Sweep::none ? 0 : ring(below)};
+      misplaced_ = {hole, below == none ? 0 : ring(below)};
     }
   }
 

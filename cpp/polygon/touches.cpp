@@ -11,12 +11,15 @@ namespace gcv {
 
 namespace {
 
-struct TouchSearch {
+class TouchSearch : public RingVisitor {
+ public:
+  explicit TouchSearch(Index size) : on_edges(size) {}
+
   std::vector<std::vector<Index>> on_edges;  // vertices of other rings on the inside of each edge
   std::vector<Index> shared;                 // vertices with others in the same point
 
-  void pass(const RingSweep<TouchSearch>::Place& at) {
-    if (at.through != RingSweep<TouchSearch>::none) {
+  void pass(const Place& at) override {
+    if (at.through != none) {
       std::vector<Index>& on = on_edges[at.through];
       on.insert(on.end(), at.vertices.begin(), at.vertices.end());
     }
@@ -24,7 +27,7 @@ struct TouchSearch {
       shared.insert(shared.end(), at.vertices.begin(), at.vertices.end());
     }
   }
-  void meet(Index /*below*/, Index /*above*/) {}
+  void meet(Index /*below*/, Index /*above*/) override {}
 };
 
 }  // namespace
@@ -34,12 +37,12 @@ Touches::Touches(const PointVector& points, const RingLayout& layout) : size_(la
     return;
   }
   const Index n = layout.size();
-  TouchSearch search{std::vector<std::vector<Index>>(n), {}};
+  TouchSearch search(n);
   Tally tally;
-  RingSweep(points, layout, search, tally).run();
-  const auto& [on_edges, shared] = search;
+  sweep_over(points, layout, search, tally);
+  const std::vector<std::vector<Index>>& on_edges = search.on_edges;
 
-  std::vector<Index> vertices = shared;
+  std::vector<Index> vertices = std::move(search.shared);
   for (const std::vector<Index>& on : on_edges) {
     vertices.insert(vertices.end(), on.begin(), on.end());
   }
