@@ -40,6 +40,8 @@ def run(
     instructions: not while that thread computes. So it waits here, and another thread
     computes. Whatever exception ends the waiting cancels the call.
     """
+    if progress is not None and not callable(progress):
+        raise TypeError(f"progress: {progress!r} is not callable")
     short = pairs <= SHORT or threading.current_thread() is not threading.main_thread()
     if progress is None and short:
         return call(_options(rounding, tolerance, threads, leave_out))

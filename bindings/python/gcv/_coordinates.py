@@ -135,14 +135,22 @@ def point_or_points(
             return view.tobytes(), view.ndim == 1
         view = None
     values = _elements(source if view is None else view, name, what)
+    shape = getattr(source, "shape", ())
+    if not values and len(shape) > 1 and shape[1:] != (2,):
+        raise unfit(name, source, what)
     if len(values) == 2 and not any(map(_has_size, values)):
         return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
     return _doubles_of_pairs(values, lambda k: f"{name}[{k}]").tobytes(), False
 
 
 def _has_size(value: object) -> bool:
-    # Arrays of no dimensions are numbers, though they have a method for their length.
-    return isinstance(value, Sized) and getattr(value, "ndim", 1) != 0
+    if not isinstance(value, Sized):
+        return False
+    try:
+        len(value)
+    except TypeError:  # an array of no dimensions is a number
+        return False
+    return True
 
 
 def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:

@@ -25,7 +25,8 @@ class Gate:
     A handler of a signal can raise at any call of a function, at the begin of one, and
     when a loop goes round. So nothing that has to be undone is left to a function of
     Python: it is undone by the end of a with statement of a plain lock, or by a finally
-    clause that begins with the only call of it, one of C.
+    clause that begins with the only call of it, one of C. (Python 3.9 runs handlers between
+    other instructions, too: there one can come in between, if rarely.)
 
     A process that comes of a fork has the thread alone that forked. What others asked at
     that time is over there. What one of them was changing may be changed in part: it lets
@@ -49,7 +50,7 @@ class Gate:
         """
         thread = threading.get_ident()
         self._refuse_within_change(thread)
-        question = object()
+        question, end = object(), self._asking.pop
         try:
             if (caller or thread) in list(self._asking.values()):
                 self._asking[question] = thread
@@ -58,7 +59,7 @@ class Gate:
                     self._asking[question] = thread
             return call()
         finally:
-            self._asking.pop(question, None)
+            end(question, None)
 
     def change(self, call: Callable[[], _T]) -> _T:
         """Return call() while nothing else goes on."""
@@ -85,7 +86,9 @@ class Gate:
 
     def _after_fork(self) -> None:
         thread = threading.get_ident()
-        self._asking = {key: known for key, known in self._asking.items() if known == thread}
+        for question, known in list(self._asking.items()):
+            if known != thread:
+                del self._asking[question]
         if self._changing != thread:
             self._turnstile = threading.Lock()
             self._is_broken = self._is_broken or self._changing is not None

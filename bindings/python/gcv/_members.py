@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING, Any, Callable, Optional, SupportsIndex, TypeVa
 from . import _ffi, _structs
 from ._at_once import at_once, setting
 from ._contacts import record, records
-from ._coordinates import check_order, point_or_points, points, size
+from ._coordinates import check_order, point_or_points, points, size, unfit
 from ._gate import Gate
 from ._many import handle_array, vertices
 from ._polygon import Polygon, as_polygon
@@ -30,8 +30,9 @@ if TYPE_CHECKING:
 
 _MembersType = TypeVar("_MembersType", bound="Members")
 
-_FIRST_ID = 2
+_CONTAINER_ID, _FIRST_ID = 1, 2
 _IDS_AT_A_TIME = 1 << 16
+_POSITIONS = "a pair of numbers, nor a sequence of pairs"
 
 
 class Members:
@@ -76,7 +77,6 @@ class Members:
     @container.setter
     def container(self, container: Optional[PolygonLike]) -> None:
         polygon = None if container is None else as_polygon(container, "container")
-
         handle = None if polygon is None else polygon._handle
         note = setting(self, "_container", (polygon,))
         self._gate.change(lambda: at_once(_ffi.scene_set_container, (self._handle, handle), note))
@@ -162,24 +162,23 @@ class Members:
             counts["positions"] = None if is_pair else size(doubles)
             doubles = doubles * len(numbers) if is_pair else doubles
         count = _in_common(counts, ids)
-
         handles = None if found is None else handle_array(found)
         arguments = self._handle, numbers.tobytes(), handles, doubles, count
 
         def change() -> None:
-            if found is None:
-                return at_once(_ffi.scene_set, arguments)
-            vertex_count = sum(map(vertices, found)) - self._vertices_of(numbers)
-            return at_once(
-                *(_ffi.scene_set, arguments),
-                map(self._polygons.update, (zip(numbers, found),)),
-                setting(self, "_vertices", (self._vertices + vertex_count,)),
-            )
+            notes: list[Iterator[object]] = []
+            if found is not None:
+                more = sum(map(vertices, found)) - self._vertices_of(numbers)
+                notes.append(map(self._polygons.update, (zip(numbers, found),)))
+                notes.append(setting(self, "_vertices", (self._vertices + more,)))
+            at_once(_ffi.scene_set, arguments, *notes)
 
         self._gate.change(change)
 
     def move(self, ids: WholeNumbers, positions: Any) -> None:
         """Move members to other positions, as set does."""
+        if positions is None:
+            raise unfit("positions", positions, _POSITIONS)
         self.set(ids, positions=positions)
 
     def set_layers(self, ids: WholeNumbers, layers: WholeNumbers) -> None:
@@ -195,7 +194,6 @@ class Members:
         bits, is_one = layers_of(layers, "layers")
         count = _in_common({"ids": len(numbers), "layers": None if is_one else len(bits)}, ids)
         bits = bits * count if is_one else bits
-
         arguments = self._handle, numbers.tobytes(), bits.tobytes(), count
         note = map(self._layers.update, (zip(numbers, bits),))
         self._gate.change(lambda: at_once(_ffi.scene_set_layers, arguments, note))
@@ -273,7 +271,9 @@ class Members:
         number = one_id(id, "id")
         polygon = self._polygons.get(number)
         if polygon is None:
-            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, f"id: {number} is not that of a member")
+            whose = "the container's, " if number == _CONTAINER_ID else ""
+            message = f"id is {number}, {whose}not that of a member"
+            raise _ffi.InputError(_ffi.INVALID_ARGUMENT, message)
         return polygon
 
     def copy(self: _MembersType) -> _MembersType:
@@ -313,7 +313,10 @@ class Members:
 
     def __contains__(self, id: object) -> bool:
         """Whether there is a member with that id."""
-        return id in self._polygons
+        try:
+            return id in self._polygons
+        except TypeError:  # it has no hash, so it is no id
+            return False
 
     def __repr__(self) -> str:
         members = f"{len(self)} member{'s' if len(self) != 1 else ''}"
@@ -341,7 +344,7 @@ class Members:
 
 def _pairs(positions: Any) -> tuple[bytes, bool]:
     """The doubles of one position or of many, and whether it is one."""
-    return point_or_points(positions, "positions", "a pair of numbers, nor a sequence of pairs")
+    return point_or_points(positions, "positions", _POSITIONS)
 
 
 def _attributes(scene: Members) -> dict[str, Any]:
@@ -387,5 +390,5 @@ def _restored(
         members = [(polygons[k], places[k]) if k in polygons else none for k in ids]
         Members.add(scene, [polygon for polygon, _ in members], [place for _, place in members])
         Members.remove(scene, [k for k in ids if k not in polygons])
-    Members.set_layers(scene, layers, layers.values())
+    Members.set_layers(scene, list(layers), layers.values())
     return scene

@@ -43,8 +43,10 @@ class Scene(Places):
     several, leaves out these members, and 1 the container; ids that are not there are no
     error.
 
-    The same changes in the same order give the same answers, to the bit. A change that
-    raises leaves the scene as it was.
+    The same changes in the same order give the same answers, to the bit. A change is made
+    wholly or not at all. One that raises leaves the scene as it was; but KeyboardInterrupt,
+    and what else a handler of a signal raises, may come after it was made. It waits for a
+    change that has begun, and cancels a long question.
 
     Threads may share a scene. Questions of several threads run side by side. A change
     waits until no question runs, and questions wait until it is done. A progress function

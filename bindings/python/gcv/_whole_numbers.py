@@ -5,7 +5,7 @@
 from __future__ import annotations
 
 from array import array
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from operator import index
 from typing import Any, Literal, Optional, SupportsIndex, Union
 
@@ -45,15 +45,20 @@ def _read(source: Any, code: Literal["Q", "I"], name: str, what: str) -> tuple[a
         return numbers, False
     if hasattr(source, "__index__") and not getattr(source, "ndim", 0):
         return array(code, [_number(source, code, name, what)]), True
+    is_refused = isinstance(source, (bytes, bytearray, Mapping))
     try:
-        values = tuple(source)
+        values = None if is_refused else tuple(source)
     except TypeError:
-        raise unfit(name, source, f"{what}, nor a sequence of them") from None
+        values = None
+    if values is None:
+        raise unfit(name, source, f"{what}, nor a sequence of them")
     try:
-        return array(code, map(index, values)), False
+        if not any(map(_is_truth, set(map(type, values)))):
+            return array(code, map(index, values)), False
     except (TypeError, OverflowError):
-        found = (_number(value, code, f"{name}[{k}]", what) for k, value in enumerate(values))
-        return array(code, found), False
+        pass
+    found = (_number(value, code, f"{name}[{k}]", what) for k, value in enumerate(values))
+    return array(code, found), False
 
 
 def _in_buffer(source: Any, code: Literal["Q", "I"]) -> Optional[array[int]]:
@@ -69,7 +74,14 @@ def _in_buffer(source: Any, code: Literal["Q", "I"]) -> Optional[array[int]]:
     return numbers
 
 
+def _is_truth(kind: type) -> bool:
+    """Whether it is the type of True, or that of numpy, by either of its names."""
+    return kind.__name__ in ("bool", "bool_")
+
+
 def _number(value: Any, code: Literal["Q", "I"], name: str, what: str) -> int:
+    if _is_truth(type(value)):
+        raise unfit(name, value, what)
     try:
         return array(code, [index(value)])[0]
     except (TypeError, OverflowError):

@@ -10,7 +10,7 @@ import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from typing import Callable
+from typing import Any, Callable
 
 import numpy as np
 import pytest
@@ -150,6 +150,20 @@ def test_progress_of_another_thread() -> None:
     worker.start()
     worker.join()
     assert threads == {worker.ident}
+
+
+def test_progress_that_is_no_function() -> None:
+    """It is refused before anything is computed."""
+    wrong: Any = 5
+    for name in ("minkowski_sum", "no_fit_region", "relation", "contacts"):
+        with pytest.raises(TypeError, match=r"^progress: 5 is not callable$"):
+            getattr(gcv, name)(LARGE, OTHER, progress=wrong)
+    with pytest.raises(TypeError, match=r"^progress: 5 is not callable$"):
+        BRICKS.pairs(1, progress=wrong)
+    begun: list[object] = []
+    with pytest.raises(TypeError, match=r"^progress: 5 is not callable$"):
+        run(begun.append, 1, "nearest", 0, 1, wrong)
+    assert begun == []
 
 
 def test_progress_that_raises_cancels() -> None:

@@ -79,6 +79,8 @@ def test_members() -> None:
     assert np.uint64(4) in scene
     assert 1 not in scene
     assert "2" not in scene
+    assert [2] not in scene
+    assert np.array([2]) not in scene
     assert repr(scene) == "<gcv.Scene of 3 members>"
     scene.remove([2, 3])
     assert repr(scene) == "<gcv.Scene of 1 member>"
@@ -197,6 +199,13 @@ def test_unknown_ids(call: Callable[[gcv.Scene, Any], object], ids: Any) -> None
         ([2, 3.0], r"ids\[1\]: 3.0 is not an id"),
         ([2, -1], r"ids\[1\]: -1 is not an id"),
         ("2", r"ids\[0\]: '2' is not an id"),
+        (b"\x02", r"ids: b'\\x02' is not an id, nor a sequence of them"),
+        (bytearray(), "ids: .* is not an id, nor a sequence of them"),
+        ({2: 0}, "ids: {2: 0} is not an id, nor a sequence of them"),
+        (True, "ids: True is not an id"),
+        (np.True_, "ids: .*True.* is not an id.*"),
+        ([2, True], r"ids\[1\]: True is not an id"),
+        (np.array([True, True]), r"ids\[0\]: .*True.* is not an id"),
         (np.array([2.0, 3.0]), r"ids\[0\]: .*2.0.* is not an id"),
         (
             np.ma.array([2, 3], np.uint64, mask=[False, True]),
@@ -212,10 +221,36 @@ def test_what_is_no_id(call: Callable[[gcv.Scene, Any], object], ids: Any, messa
     assert state(scene) == before
 
 
+def test_what_is_no_layer() -> None:
+    scene = three()
+    before = state(scene)
+    wrong: list[Any] = [b"\x02", {2: 0}, True, np.True_, [True], np.array([True])]
+    for layers in wrong:
+        with pytest.raises(gcv.InputError, match=r"^layers.* is not a number of 32 bits"):
+            scene.set_layers([2], layers)
+    for layers in wrong[2:4]:
+        with pytest.raises(gcv.InputError, match=r"^layers: .*True.* is not a number of 32 bits"):
+            scene.relation(BLOCK, layers=layers)
+    for ids in wrong:
+        with pytest.raises(gcv.InputError, match=r"^ignore.* is not an id"):
+            scene.relation(BLOCK, ignore=ids)
+    assert state(scene) == before
+
+
+def test_move_to_nowhere() -> None:
+    scene = three()
+    wrong: Any
+    for wrong in (None, 3, np.zeros((0, 3))):
+        with pytest.raises(gcv.InputError, match=r"^positions: .* is not a pair of numbers, nor"):
+            scene.move(2, wrong)
+
+
 def test_polygon_of_an_unknown_id() -> None:
-    for id in (0, 1, 5, 2**64 - 1):
-        with pytest.raises(gcv.InputError, match=f"^id: {id} is not that of a member$"):
+    for id in (0, 5, 2**64 - 1):
+        with pytest.raises(gcv.InputError, match=f"^id is {id}, not that of a member$"):
             three().polygon(id)
+    with pytest.raises(gcv.InputError, match=r"^id is 1, the container's, not that of a member$"):
+        three().polygon(1)
     wrong: Any
     for wrong in (-1, 2**64, "2", 2.0, [2]):
         with pytest.raises(gcv.InputError, match=r"^id: .* is not an id$"):

@@ -9,6 +9,7 @@ import signal
 import threading
 import time
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
 from typing import Any, Callable
 
 import numpy as np
@@ -216,9 +217,20 @@ def test_nothing_goes_on_within_a_change() -> None:
             again(nothing)
 
     for again in (gate.ask, gate.change):
-        gate.change(lambda again=again: refused(again, "changed"))  # type: ignore[misc]
+        gate.change(partial(refused, again, "changed"))
     gate.ask(lambda: gate.ask(lambda: refused(gate.change, "asked")))
     gate.change(nothing)
+
+
+def test_a_long_change_is_made_as_a_whole() -> None:
+    """Ctrl-C comes meanwhile, and the scene knows all of its members."""
+    scene = gcv.Scene()
+    polygons = [star(3000, seed) for seed in range(100)]
+    with interrupted():
+        for _ in range(10000):
+            scene.add(polygons)
+    assert scene.ids.tolist() == list(scene)
+    assert len(scene) % 100 == 0
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")

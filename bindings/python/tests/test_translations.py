@@ -103,6 +103,16 @@ def test_none_at_all(question: Question, dtype: Any) -> None:
         assert answers.shape == (0,)
 
 
+@pytest.mark.parametrize("count", range(5))
+def test_arrays_of_records(count: int) -> None:
+    pairs = [(k, 0.5) for k in range(count)]
+    records = np.array(pairs, [("x", float), ("y", float)])
+    answers = gcv.relation(SQUARE, SQUARE, records)
+    assert answers.tolist() == [gcv.relation(SQUARE, SQUARE, pair) for pair in pairs]
+    if count > 0:
+        assert gcv.relation(SQUARE, SQUARE, records[0]) is gcv.relation(SQUARE, SQUARE, pairs[0])
+
+
 @pytest.mark.parametrize("question", QUESTIONS)
 def test_arrays_are_the_callers(question: Question) -> None:
     answers = question(SQUARE, SQUARE, MOVES)
@@ -135,6 +145,9 @@ def test_records_can_be_pickled() -> None:
         (np.zeros((2, 3)), r"translation\[0\]: array.* is not a pair of numbers"),
         (np.zeros((4,)), r"translation\[0\]: .* is not a pair of numbers"),
         (np.zeros((2, 2, 2)), r"translation\[0\]: .* is not a pair of numbers"),
+        (np.zeros((0, 3)), r"translation: .* is not a pair of numbers, nor a sequence of pairs"),
+        (np.zeros((0, 3), int), r"translation: .* is not a pair of numbers, nor a sequence of"),
+        (np.zeros((0, 5, 7)), r"translation: .* is not a pair of numbers, nor a sequence of pairs"),
         (np.ma.masked_equal(SQUARE, 1), "translation: some elements of the array are masked"),
         (
             np.ma.array([0, 0.5], mask=[False, True]),
