@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import gc
 import pickle
-import random
 import signal
 import sys
 import threading
@@ -152,24 +151,6 @@ def ended_by_alarm(call: Callable[[], object], seconds: float) -> None:
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
-
-
-@pytest.mark.skipif(sys.version_info < (3, 10), reason="handlers run between all instructions")
-def test_interrupts_at_random_times() -> None:
-    def use(scene: gcv.Scene) -> None:
-        end = time.perf_counter() + 5
-        while time.perf_counter() < end:
-            for call in (*CHANGES[:6], *QUESTIONS[:6]):
-                call(scene)
-            scene.remove([id for id in scene if id > 4])
-
-    source = random.Random(7)
-    end = time.perf_counter() + 1.5
-    while time.perf_counter() < end:
-        scene = base()
-        ended_by_alarm(partial(use, scene), source.uniform(1e-4, 2e-3))
-        state(scene)
-        assert_open(scene)
 
 
 def test_an_interrupt_while_many_members_change() -> None:
