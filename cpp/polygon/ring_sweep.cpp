@@ -24,7 +24,14 @@ class RingSweep {
         visitor_(visitor),
         tally_(tally),
         sweep_(FromBelow{this}),
-        places_(points.size()) {}
+        places_(points.size()) {
+    spans_.reserve(points.size());
+    for (Index e = 0; e < layout.size(); ++e) {
+      const Point& from = points[e];
+      const Point& to = points[layout.next(e)];
+      spans_.push_back(lexicographically_less(from, to) ? Span{from, to} : Span{to, from});
+    }
+  }
 
   void run() {
     std::vector<Index> order(points_.size());
@@ -48,27 +55,21 @@ class RingSweep {
  private:
   // An edge from its lexicographically smaller end on.
   struct Span {
-    const Point& left;
-    const Point& right;
+    Point left;
+    Point right;
   };
-  [[nodiscard]] Span span(Index e) const {
-    const Point& from = points_[e];
-    const Point& to = points_[layout_.next(e)];
-    return lexicographically_less(from, to) ? Span{from, to} : Span{to, from};
-  }
-
   // Of edges that do not cross and are met by one line, from below; and of a point among them.
   struct FromBelow {
     using is_transparent = void;
     RingSweep* sweep;
 
     bool operator()(Index e, Index f) const {
-      const Span p = sweep->span(e);
-      const Span q = sweep->span(f);
+      const Span& p = sweep->spans_[e];
+      const Span& q = sweep->spans_[f];
       return lexicographically_less(q.left, p.left) ? sweep->side(q, p) < 0 : sweep->side(p, q) > 0;
     }
     bool operator()(Index e, const Point& q) const {
-      const Span p = sweep->span(e);
+      const Span& p = sweep->spans_[e];
       return orientation(p.left, p.right, q, sweep->tally_) > 0;
     }
   };
@@ -80,7 +81,7 @@ class RingSweep {
     return of_left != 0 ? of_left : orientation(p.left, p.right, q.right, tally_);
   }
   bool is_on(Index e, const Point& place) {
-    const Span s = span(e);
+    const Span& s = spans_[e];
     return orientation(s.left, s.right, place, tally_) == 0;
   }
 
@@ -91,14 +92,14 @@ class RingSweep {
     auto beyond = lowest;
     Index through = RingVisitor::none;
     for (; beyond != sweep_.end() && is_on(*beyond, place); ++beyond) {
-      if (!(span(*beyond).right == place)) {
+      if (!(spans_[*beyond].right == place)) {
         through = *beyond;
       }
     }
     const Index below = lowest == sweep_.begin() ? RingVisitor::none : *std::prev(lowest);
     visitor_.pass(RingVisitor::Place{vertices, through, lowest == beyond, below});
     while (lowest != beyond) {
-      lowest = span(*lowest).right == place ? sweep_.erase(lowest) : std::next(lowest);
+      lowest = spans_[*lowest].right == place ? sweep_.erase(lowest) : std::next(lowest);
     }
     for (const Index vertex : vertices) {
       enter(vertex, place, beyond);
@@ -112,7 +113,7 @@ class RingSweep {
     const Point& place = points_[vertices.front()];
     for (const Index vertex : vertices) {
       for (const Index e : {vertex, layout_.previous(vertex)}) {
-        if (span(e).right == place) {
+        if (spans_[e].right == place) {
           auto lowest = places_[e];
           while (lowest != sweep_.begin() && is_on(*std::prev(lowest), place)) {
             --lowest;
@@ -125,7 +126,7 @@ class RingSweep {
   }
 
   void enter(Index e, const Point& place, Sweep::iterator beyond) {
-    if (span(e).left == place) {
+    if (spans_[e].left == place) {
       places_[e] = sweep_.insert(beyond, e);
     }
   }
@@ -151,6 +152,7 @@ class RingSweep {
   const RingLayout& layout_;
   RingVisitor& visitor_;
   Tally& tally_;
+  std::vector<Span> spans_;  // of all edges
   Sweep sweep_;
   std::vector<Sweep::iterator> places_;  // of edges that the line meets
 };
