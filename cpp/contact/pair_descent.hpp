@@ -87,10 +87,15 @@ class PairDescent {
   // direction of the axes: of these, boxes leave out little.
   static constexpr std::uint64_t visits_by_boxes = 512;
 
-  // Where one of so many is beyond reach, at least, as far as is known.
+  // Where one of so many is beyond reach, at least, in a trial that begins each time that the
+  // visits have doubled: what is near a distance is told once a short one is found.
   static constexpr std::uint64_t one_of = 8;
   static constexpr std::uint64_t trials = 256;
   bool is_reach_asked() {
+    if (visits_ >= 2 * trial_begin_) {
+      trial_begin_ = visits_;
+      asked_ = beyond_reach_ = 0;
+    }
     const bool is_asked = asked_ < trials || beyond_reach_ * one_of >= asked_;
     asked_ += is_asked ? 1 : 0;
     return is_asked;
@@ -145,8 +150,9 @@ class PairDescent {
   const ChainTree& b_;
   const Point offset_;
   Search& search_;
-  std::uint64_t visits_ = 0;        // of pairs of nodes
-  std::uint64_t asked_ = 0;         // of these
+  std::uint64_t visits_ = 0;  // of pairs of nodes
+  std::uint64_t trial_begin_ = visits_by_boxes;
+  std::uint64_t asked_ = 0;         // of these, in this trial
   std::uint64_t beyond_reach_ = 0;  // of these
 };
 

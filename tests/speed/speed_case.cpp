@@ -441,6 +441,38 @@ void pairs_among_holes() {
                    gcv_pair_list_destroy(pairs);
                  });
 }
+// A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
+void distance_in_pocket() {
+  constexpr int teeth = 600;
+  constexpr double edge = 4.0 * teeth;
+  const Polygon teeth_of_pocket = comb(teeth, 1, 1, edge);
+  Polygon part = comb(teeth, 0.5, 1.5, edge - 1);
+  for (auto& [x, y] : part) {
+    x += 0.25;
+    y = y < 0 ? -0.75 : y > 0 ? y : -0.25;
+  }
+  Polygon plate{{-edge, -edge}, {edge, -edge}, {edge, 2 * edge}, {-edge, 2 * edge}};
+  const std::array<std::size_t, 2> sizes{plate.size(), teeth_of_pocket.size()};
+  plate.insert(plate.end(), teeth_of_pocket.rbegin(), teeth_of_pocket.rend());
+  Map map = slanting;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const Polygon turned_plate = mapped(plate, map);
+    const Polygon turned_part = mapped(part, map);
+    gcv_polygon* a = nullptr;
+    gcv_polygon* b = nullptr;
+    const double translation[2] = {0, 0};
+    gcv_separation separation;
+    require(gcv_polygon_create_rings(turned_plate.front().data(), sizes.data(), 2, 0, &a));
+    require(gcv_polygon_create(turned_part.front().data(), turned_part.size(), 0, &b));
+    require(gcv_distance(a, b, translation, 1, nullptr, &separation));
+    if (separation.relation != GCV_APART) {
+      throw std::runtime_error("the part has no play");
+    }
+    gcv_polygon_destroy(b);
+    gcv_polygon_destroy(a);
+    map = {.xx = -map.yx, .xy = -map.yy, .yx = map.xx, .yy = map.xy};
+  }
+}
 void best_in_scene() {
   Random random(6);
   Scene(random, 300, 600).find_best();
@@ -465,6 +497,7 @@ void region_of_fit() {
 }
 
 const std::map<std::string, std::function<void()>> other_cases{
+    {"distance_in_pocket", distance_in_pocket},
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
