@@ -46,6 +46,8 @@ inline Box widened(const Box& box, double more) {
 inline bool are_apart(const Box& p, const Box& q) {
   return p.x0 > q.x1 || p.x1 < q.x0 || p.y0 > q.y1 || p.y1 < q.y0;
 }
+
+// Does the box hold the other? False for what is not a number.
 inline bool holds(const Box& box, const Box& other) {
   return box.x0 <= other.x0 && box.y0 <= other.y0 && box.x1 >= other.x1 && box.y1 >= other.y1;
 }
