@@ -154,6 +154,31 @@ bool is_end(const SumEdge& s, const SumPoint& point) {
                              : Interval{-infinity, infinity};
 }
 
+// The order of two parameters. Nothing if that is not certain.
+//
+// The lo parts are below 4u of the hi parts. The roundings of the sum of the lo parts are below
+// 16u^2. The rounding of the last sum keeps the sign. The smallest normal double covers quotients
+// that underflow. Other underflows are far below the errors of numbers that are in range.
+std::optional<int> compare_parameters(const DoubleDoubleParameter& x,
+                                      const DoubleDoubleParameter& y, Tally& tally) {
+  const double hi = x.hi - y.hi;
+  const double difference = hi + (rounding_error(x.hi, -y.hi, hi) + (x.lo - y.lo));
+  const double error = x.error + y.error +
+                       32 * unit_roundoff * unit_roundoff * (std::abs(x.hi) + std::abs(y.hi)) +
+                       std::numeric_limits<double>::min();
+  if (std::abs(difference) > 2 * error) {
+    ++tally.fixed_width;
+    return sign_of(difference);
+  }
+  if (x.is_fraction && y.is_fraction) {
+    if (const std::optional<int> order = compare_products(x.n, y.d, y.n, x.d)) {
+      ++tally.fixed_width;
+      return *order * sign_of(x.d) * sign_of(y.d);
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 int turn(const Point& p0, const Point& p1, const Point& q0, const Point& q1, Tally& tally) {
@@ -215,12 +240,12 @@ int compare_sums(double a, double b, double c, double d, double e, double f, Tal
 //   |N' / D' - N / D| = |(N' - N) D - N (D' - D)| / |D D'| <= 2 (eN + |N / D| eD) / |D|.
 // The roundings of the quotient, lo and hi are below 4u |N / D|. Those of the bound are below 16u
 // of the bound. The smallest normal double covers underflow.
-Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
+std::optional<Interval> rough_crossing_parameter(const SumEdge& s, const SumEdge& t) {
   const Approximation n = cross_of_offset(-t.dx, -t.dy, s.origin, t.origin);
   const Approximation d = cross_of_directions(s.dx, s.dy, t.dx, t.dy);
   const double size = std::abs(d.value);
   if (!(size > 0x1p8 * d.error)) {
-    return precise_crossing_parameter(s, t);
+    return std::nullopt;
   }
   const double quotient = n.value / d.value;
   const double error =
@@ -228,38 +253,31 @@ Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
                                   4 * unit_roundoff * std::abs(quotient)) +
       std::numeric_limits<double>::min();
   if (!std::isfinite(quotient) || !std::isfinite(error)) {
-    return {-infinity, infinity};
+    return Interval{-infinity, infinity};
   }
-  return {quotient - error, quotient + error};
+  return Interval{quotient - error, quotient + error};
 }
 
-// The lo parts are below 4u of the hi parts. The roundings of the sum of the lo parts are below
-// 16u^2. The rounding of the last sum keeps the sign. The smallest normal double covers quotients
-// that underflow. Other underflows are far below the errors of numbers that are in range.
+Interval crossing_parameter(const SumEdge& s, const SumEdge& t) {
+  const std::optional<Interval> rough = rough_crossing_parameter(s, t);
+  return rough ? *rough : precise_crossing_parameter(s, t);
+}
+
 int compare_crossings(const SumEdge& s, const SumEdge& t, const SumEdge& q, const SumEdge& r,
                       Tally& tally) {
   // A line meets parallel ones one after the other.
   if (s == q && turn(t.from, t.to, r.from, r.to, tally) == 0) {
     return side(r, t.origin, tally) * turn(r.from, r.to, s.from, s.to, tally);
   }
-  const DoubleDoubleParameter x = double_double_parameter(s, t);
-  const DoubleDoubleParameter y = double_double_parameter(q, r);
-  const double hi = x.hi - y.hi;
-  const double difference = hi + (rounding_error(x.hi, -y.hi, hi) + (x.lo - y.lo));
-  const double error = x.error + y.error +
-                       32 * unit_roundoff * unit_roundoff * (std::abs(x.hi) + std::abs(y.hi)) +
-                       std::numeric_limits<double>::min();
-  if (std::abs(difference) > 2 * error) {
-    ++tally.fixed_width;
-    return sign_of(difference);
-  }
-  if (x.is_fraction && y.is_fraction) {
-    if (const std::optional<int> order = compare_products(x.n, y.d, y.n, x.d)) {
-      ++tally.fixed_width;
-      return *order * sign_of(x.d) * sign_of(y.d);
-    }
-  }
-  return exact::compare_crossings(s, t, q, r, tally);
+  const std::optional<int> order =
+      compare_parameters(double_double_parameter(s, t), double_double_parameter(q, r), tally);
+  return order ? *order : exact::compare_crossings(s, t, q, r, tally);
+}
+
+int Crossing::compare(const SumEdge& r, Tally& tally) const {
+  const std::optional<int> order =
+      compare_parameters(parameter_, double_double_parameter(s_, r), tally);
+  return order ? *order : exact::compare_crossings(s_, t_, s_, r, tally);
 }
 
 }  // namespace gcv

@@ -8,6 +8,9 @@
 // doubles.
 #pragma once
 
+#include <optional>
+
+#include "double_double.hpp"
 #include "point.hpp"
 #include "tally.hpp"
 
@@ -55,5 +58,22 @@ struct Interval {
   double hi;
 };
 Interval crossing_parameter(const SumEdge& s, const SumEdge& t);
+// The same in fewer steps. Nothing if the lines are nearly parallel.
+std::optional<Interval> rough_crossing_parameter(const SumEdge& s, const SumEdge& t);
+
+// The crossing of the line of s with that of t, to be compared with many others on the line of s.
+class Crossing {
+ public:
+  Crossing(const SumEdge& s, const SumEdge& t)
+      : s_(s), t_(t), parameter_(double_double_parameter(s, t)) {}
+
+  // compare_crossings(s, t, r) for lines t and r that are not parallel.
+  [[nodiscard]] int compare(const SumEdge& r, Tally& tally) const;
+
+ private:
+  SumEdge s_;
+  SumEdge t_;
+  DoubleDoubleParameter parameter_;
+};
 
 }  // namespace gcv

@@ -9,6 +9,27 @@
 
 namespace gcv {
 
+namespace {
+
+enum class Enclosure : std::uint8_t { outside, border, inside };
+
+Enclosure enclosure_of(const PlacesOnLine& places, const Parallelogram& sides,
+                       const Place& place) {
+  Enclosure enclosure = Enclosure::inside;
+  for (const Parallelogram::Side& side : sides) {
+    const int here = places.side_of(side.line, place);
+    if (here == -side.sign) {
+      return Enclosure::outside;
+    }
+    if (here == 0) {
+      enclosure = Enclosure::border;
+    }
+  }
+  return enclosure;
+}
+
+}  // namespace
+
 double EdgeCover::parameter_of(const RelativeLine& line, const Place& place) const {
   double t = 0;
   if (place.is_sum) {
@@ -238,7 +259,15 @@ EdgeCover::Looked EdgeCover::look_anew(const PlacesOnLine& places, const Place& 
     const Index i = pair->i;
     const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;
-    if (is_at(places, place, {i, j})) {
+    // Contacts of a pair lie on its parallelogram, if it has one.
+    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, i, j);
+    const Enclosure enclosure = sides ? enclosure_of(places, *sides, place) : Enclosure::border;
+    if (enclosure == Enclosure::outside) {
+      continue;
+    }
+    if (enclosure == Enclosure::inside) {
+      result.is_covered = !is_sum_of_touches(places, place, *pair);
+    } else if (is_at(places, place, {i, j})) {
       looked.sum = VertexSum{i, j};
       contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
     } else if (lies_on(operands_.translated(i, j))) {
@@ -250,13 +279,6 @@ EdgeCover::Looked EdgeCover::look_anew(const PlacesOnLine& places, const Place& 
       if (!is_among(touches_b_.on(j), [&](Index k) { return VertexSum{i, k}; })) {
         contact(cones_.vertex_of_a(i), cones_.edge_of_b(j));
       }
-    } else if (const std::optional<Parallelogram> sides =
-                   Parallelogram::of(operands_, pair->i, pair->j);
-               sides && !is_sum_of_touches(places, place, *pair)) {
-      result.is_covered =
-          std::all_of(sides->begin(), sides->end(), [&](const Parallelogram::Side& side) {
-            return places.side_of(side.line, place) == side.sign;
-          });
     }
     if (result.is_covered) {
       break;

@@ -16,7 +16,7 @@ namespace {
 constexpr double least_part_ahead = 0x1p-9;
 // Where many pairs meet, those next to the edge come after so many others: in the one place of an
 // exact fit, only these show that what follows is covered.
-constexpr int patience = 16;
+constexpr std::size_t patience = 16;
 
 }  // namespace
 
@@ -76,7 +76,13 @@ std::optional<Place> EdgeCover::exit_of_cover(const PlacesOnLine& places, const 
       }
     });
   };
-  std::for_each(met_pairs_.begin(), met_pairs_.end(), take_exit_of);
+  // The last one has covered the place, as a rule.
+  for (std::size_t k = met_pairs_.size(); k-- > 0;) {
+    if (furthest && met_pairs_.size() - k > patience) {
+      break;
+    }
+    take_exit_of(met_pairs_[k]);
+  }
   if (containment.of_line) {
     take(containment.end ? *containment.end : places.end());
   }
@@ -90,7 +96,7 @@ std::optional<Place> EdgeCover::exit_of_cover(const PlacesOnLine& places, const 
       }
     }
   };
-  for (int met = 0; !furthest; ++met) {
+  for (std::size_t met = 0; !furthest; ++met) {
     if (met == patience) {
       take_exits_next_to_edge();
     } else if (const std::optional<WitnessSearch::Pair> pair = next_pair(true)) {

@@ -19,7 +19,24 @@ int PlacesOnLine::side_of(const Line& other, const Place& place) const {
   if (turn == 0) {
     return side_of_sum(other, start_of(line_.edge));
   }
-  return turn * compare(place, crossing(other));
+  if (static_cast<const EdgeName&>(place.crossing) == static_cast<const EdgeName&>(other.edge)) {
+    ++tally_.filtered;
+    return 0;
+  }
+  if (const auto parameter = rough_crossing_parameter(line_.at, other.at);
+      parameter &&
+      (place.parameter.hi < parameter->lo || place.parameter.lo > parameter->hi)) {
+    ++tally_.filtered;
+    return place.parameter.hi < parameter->lo ? -turn : turn;
+  }
+  const Line across = Line::of(operands_, place.crossing);
+  if (this->turn(across.edge.rank, other.edge.rank) == 0) {
+    return side(other.at, across.at.origin, tally_);
+  }
+  if (const EdgeName& name = place.crossing; !kept_ || !(kept_->name == name)) {
+    kept_ = {name, Crossing(line_.at, across.at)};
+  }
+  return turn * kept_->crossing.compare(other.at, tally_);
 }
 
 int PlacesOnLine::compare(const Place& p, const Place& q) const {

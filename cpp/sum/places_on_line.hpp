@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "contributing_vertices.hpp"
 #include "exact_ring.hpp"
 #include "place.hpp"
@@ -56,6 +58,11 @@ class PlacesOnLine {
   const Operands& operands_;
   Line line_;
   Tally& tally_;
+  struct Kept {
+    EdgeName name;
+    Crossing crossing;
+  };
+  mutable std::optional<Kept> kept_;  // the last one that others were compared with
 };
 
 }  // namespace gcv
