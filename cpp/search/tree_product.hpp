@@ -165,7 +165,7 @@ class TreeProduct {
       if (--visits_left < 0) {
         return;
       }
-      const bool expand_a = b_is_edge || (!a_is_edge && extent(a.box) >= extent(b.box));
+      const bool expand_a = b_is_edge || (!a_is_edge && a.radius >= b.radius);
       const Tree& tree = expand_a ? superset.a_ : superset.b_;
       const Node& node = expand_a ? a : b;
       const Node& other = expand_a ? b : a;

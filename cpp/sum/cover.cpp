@@ -11,12 +11,17 @@ namespace gcv {
 
 namespace {
 
+// Where a place lies in the parallelogram of a pair of edges. Parallel ones have none but a border.
 enum class Enclosure : std::uint8_t { outside, border, inside };
 
-Enclosure enclosure_of(const PlacesOnLine& places, const Parallelogram& sides,
-                       const Place& place) {
+Enclosure enclosure_in(const Operands& operands, const WitnessSearch::Pair& pair,
+                       const PlacesOnLine& places, const Place& place) {
+  const std::optional<Parallelogram> sides = Parallelogram::of(operands, pair.i, pair.j);
+  if (!sides) {
+    return Enclosure::border;
+  }
   Enclosure enclosure = Enclosure::inside;
-  for (const Parallelogram::Side& side : sides) {
+  for (const Parallelogram::Side& side : *sides) {
     const int here = places.side_of(side.line, place);
     if (here == -side.sign) {
       return Enclosure::outside;
@@ -259,23 +264,18 @@ EdgeCover::Looked EdgeCover::look_anew(const PlacesOnLine& places, const Place& 
     const Index i = pair->i;
     const Index j = pair->j;
     is_inside = border_ != nullptr && i < border_->first;
-    // Contacts of a pair lie on its parallelogram, if it has one.
-    const std::optional<Parallelogram> sides = Parallelogram::of(operands_, i, j);
-    const Enclosure enclosure = sides ? enclosure_of(places, *sides, place) : Enclosure::border;
-    if (enclosure == Enclosure::outside) {
-      continue;
-    }
-    if (enclosure == Enclosure::inside) {
-      result.is_covered = !is_sum_of_touches(places, place, *pair);
-    } else if (is_at(places, place, {i, j})) {
+    if (is_at(places, place, {i, j})) {
       looked.sum = VertexSum{i, j};
       contact(cones_.vertex_of_a(i), cones_.vertex_of_b(j));
-    } else if (lies_on(operands_.translated(i, j))) {
+    } else if (const Enclosure enclosure = enclosure_in(operands_, *pair, places, place);
+               enclosure == Enclosure::inside) {
+      result.is_covered = !is_sum_of_touches(places, place, *pair);
+    } else if (enclosure == Enclosure::border && lies_on(operands_.translated(i, j))) {
       // Where another ring touches the edge, the vertex of that tells.
       if (!is_among(touches_a_.on(i), [&](Index k) { return VertexSum{k, j}; })) {
         contact(cones_.edge_of_a(i), cones_.vertex_of_b(j));
       }
-    } else if (lies_on(operands_.corner(i, j))) {
+    } else if (enclosure == Enclosure::border && lies_on(operands_.corner(i, j))) {
       if (!is_among(touches_b_.on(j), [&](Index k) { return VertexSum{i, k}; })) {
         contact(cones_.vertex_of_a(i), cones_.edge_of_b(j));
       }

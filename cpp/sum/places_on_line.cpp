@@ -24,8 +24,7 @@ int PlacesOnLine::side_of(const Line& other, const Place& place) const {
     return 0;
   }
   if (const auto parameter = rough_crossing_parameter(line_.at, other.at);
-      parameter &&
-      (place.parameter.hi < parameter->lo || place.parameter.lo > parameter->hi)) {
+      parameter && (place.parameter.hi < parameter->lo || place.parameter.lo > parameter->hi)) {
     ++tally_.filtered;
     return place.parameter.hi < parameter->lo ? -turn : turn;
   }
