@@ -3,6 +3,7 @@
 // Descends the trees of two placed polygons at once, from pairs of nodes to pairs of edges.
 #pragma once
 
+#include "chain_index.hpp"
 #include "polygon_pair.hpp"
 
 namespace gcv {
@@ -48,8 +49,9 @@ bool any_in_order(unsigned lanes, const double* keys, const double& limit, Visit
 // All edges of a block of A or B, and an edge of the other one.
 template <bool is_of_a>
 struct EdgesOfBlock {
-  Index number;  // of the block among those of edges
-  Index other;   // the edge
+  const ChainIndex& index;  // that the block is of
+  Index number;             // of the block among those of edges
+  Index other;              // the edge
 
   // The pair in a lane.
   [[nodiscard]] Index i(std::uint32_t lane) const { return is_of_a ? in_block(lane) : other; }
@@ -57,7 +59,7 @@ struct EdgesOfBlock {
 
  private:
   [[nodiscard]] Index in_block(std::uint32_t lane) const {
-    return ChainTree::width * number + lane;
+    return index.edge(ChainTree::width * number + lane);
   }
 };
 
@@ -76,11 +78,15 @@ template <class Search>
 class PairDescent {
  public:
   // Of the trees of a pair with that offset.
-  PairDescent(const ChainTree& a, const ChainTree& b, const Point& offset, Search& search)
+  PairDescent(const ChainIndex& a, const ChainIndex& b, const Point& offset, Search& search)
       : a_(a), b_(b), offset_(offset), search_(search) {}
 
   // Did the search end?
-  bool run() { return descend({{0, 0}, a_.box}, {{0, 0}, moved(b_.box, offset_)}); }
+  bool run() {
+    const Box& a = a_.tree.box;
+    const Box& b = b_.tree.box;
+    return descend({{0, 0}, a, extents_of(a)}, {{0, 0}, moved(b, offset_), extents_of(b)});
+  }
 
  private:
   // Most pairs of polygons take fewer, but for those with many long edges side by side in no
@@ -101,13 +107,19 @@ class PairDescent {
     return is_asked;
   }
 
-  // With its box, seen from the first vertex of A.
+  // With its box, seen from the first vertex of A, and the radius of its sphere.
   struct Node {
     ChainTree::Node place;
     Box box;
+    double radius;
   };
 
-  // The larger node is left for its children.
+  // The larger node is left for its children. After many visits that is the one with the larger
+  // sphere: long edges side by side do not become shorter.
+  [[nodiscard]] bool is_larger(const Node& a, const Node& b) const {
+    return visits_ > visits_by_boxes ? a.radius >= b.radius
+                                     : extents_of(a.box) >= extents_of(b.box);
+  }
   bool descend(const Node& a, const Node& b) {
     if constexpr (TellsReach<Search>) {
       if (++visits_ > visits_by_boxes && is_reach_asked() &&
@@ -116,38 +128,44 @@ class PairDescent {
         return false;
       }
     }
-    const bool a_is_edge = a_.is_edge(a.place);
-    const bool b_is_edge = b_.is_edge(b.place);
+    const bool a_is_edge = a_.tree.is_edge(a.place);
+    const bool b_is_edge = b_.tree.is_edge(b.place);
     if constexpr (!MeetsBlocks<Search>) {
       if (a_is_edge && b_is_edge) {
-        return search_.meet(a.place.index, b.place.index);
+        return search_.meet(a_.edge(a.place.index), b_.edge(b.place.index));
       }
     }
-    if (b_is_edge || (!a_is_edge && extents_of(a.box) >= extents_of(b.box))) {
-      const ChainTree::Block& block = a_.blocks[a_.block_below(a.place)];
+    if (b_is_edge || (!a_is_edge && is_larger(a, b))) {
+      const Index number = a_.tree.block_below(a.place);
+      const ChainTree::Block& block = a_.tree.blocks[number];
       if constexpr (MeetsBlocks<Search>) {
-        if (b_is_edge && a_.is_edge(ChainTree::child(a.place, 0))) {
-          return search_.meet_edges(block, b.box, EdgesOfBlock<true>{a.place.index, b.place.index});
+        if (b_is_edge && a_.tree.is_edge(ChainTree::child(a.place, 0))) {
+          return search_.meet_edges(block, b.box,
+                                    EdgesOfBlock<true>{a_, a.place.index, b_.edge(b.place.index)});
         }
       }
       return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
-        return descend({ChainTree::child(a.place, lane), block.box(lane)}, b);
+        return descend(
+            {ChainTree::child(a.place, lane), block.box(lane), a_.spheres[number].radius[lane]}, b);
       });
     }
-    const ChainTree::Block& block = b_.blocks[b_.block_below(b.place)];
+    const Index number = b_.tree.block_below(b.place);
+    const ChainTree::Block& block = b_.tree.blocks[number];
     const Box box = moved(a.box, {-offset_.x, -offset_.y});
     if constexpr (MeetsBlocks<Search>) {
-      if (a_is_edge && b_.is_edge(ChainTree::child(b.place, 0))) {
-        return search_.meet_edges(block, box, EdgesOfBlock<false>{b.place.index, a.place.index});
+      if (a_is_edge && b_.tree.is_edge(ChainTree::child(b.place, 0))) {
+        return search_.meet_edges(block, box,
+                                  EdgesOfBlock<false>{b_, b.place.index, a_.edge(a.place.index)});
       }
     }
     return search_.any_child(block, box, false, [&](std::uint32_t lane) {
-      return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_)});
+      return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_),
+                         b_.spheres[number].radius[lane]});
     });
   }
 
-  const ChainTree& a_;
-  const ChainTree& b_;
+  const ChainIndex& a_;
+  const ChainIndex& b_;
   const Point offset_;
   Search& search_;
   std::uint64_t visits_ = 0;  // of pairs of nodes

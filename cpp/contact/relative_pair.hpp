@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "limits.hpp"
 #include "pair_descent.hpp"
 #include "polygon_pair.hpp"
 #include "vector.hpp"
@@ -15,12 +16,13 @@ namespace gcv {
 class RelativePair {
  public:
   explicit RelativePair(const PlacedPair& placed)
-      : RelativePair(placed, placed.a.boundary.index(), placed.b.boundary.index()) {}
+      : RelativePair(placed, index_beside(placed.a.boundary, placed.b.boundary),
+                     index_beside(placed.b.boundary, placed.a.boundary)) {}
 
   // Descends the trees of both (pair_descent.hpp). Did the search end?
   template <class Search>
   bool descend(Search& search) const {
-    return PairDescent(a_, b_, offset_, search).run();
+    return PairDescent(index_a_, index_b_, offset_, search).run();
   }
   [[nodiscard]] const Point& offset() const { return offset_; }
 
@@ -164,12 +166,15 @@ class RelativePair {
                                  const Point& offset) const;
   static double gap_seen_from(const Sphere& p, const Sphere& q, const Point& shift);
 
+  // That of a large polygon beside a small one may be in the order of a curve (tree_product.cpp).
+  static const ChainIndex& index_beside(const Boundary& polygon, const Boundary& other) {
+    const bool is_alone = other.size() <= polygon.size() / limits::edges_a_small_one;
+    return is_alone ? polygon.search_index() : polygon.index();
+  }
   RelativePair(const PlacedPair& placed, const ChainIndex& a, const ChainIndex& b)
       : placed_(placed),
         index_a_(a),
         index_b_(b),
-        a_(a.tree),
-        b_(b.tree),
         edges_a_(blocks_of_edges(a)),
         edges_b_(blocks_of_edges(b)),
         offset_(placed.offset()),
@@ -209,8 +214,6 @@ class RelativePair {
   const PlacedPair& placed_;
   const ChainIndex& index_a_;
   const ChainIndex& index_b_;
-  const ChainTree& a_;
-  const ChainTree& b_;
   const SweptSphereBlock* const edges_a_;
   const SweptSphereBlock* const edges_b_;
   const Point offset_;
