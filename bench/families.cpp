@@ -51,7 +51,8 @@ std::vector<Set> all_families() {
       {.name = "histograms"},  {.name = "mazes"},        {.name = "hilbert"},
       {.name = "gears"},       {.name = "saws"},         {.name = "needles"},
       {.name = "hairbrushes"}, {.name = "forked trees"}, {.name = "sunbursts"},
-      {.name = "wires"},       {.name = "slanting"}};
+      {.name = "wires"},       {.name = "slanting"},     {.name = "mouths"},
+      {.name = "divided"}};
   const auto add = [&](const char* family, Pair pair) {
     for (Set& set : result) {
       if (set.name == family) {
@@ -106,6 +107,17 @@ std::vector<Set> all_families() {
     add_slanting("comb of " + std::to_string(n) + " teeth", [n] { return comb(n, 1, 2 * n); });
     add_slanting("zigzag of " + std::to_string(n), [n] { return zigzag(n, n); });
     add_slanting("spiral of " + std::to_string(n) + " turns", [n] { return spiral(n); });
+  }
+  // A disc that lies over the mouths of half of the gaps at once.
+  for (const int n : {250, 1000}) {
+    add("mouths", {"comb of " + std::to_string(n) + " teeth + disc", [n] {
+                     return Rings{comb(n, 1, 4 * n), regular(40, n / 2.0)};
+                   }});
+  }
+  // Edges that lie in one line but for roundings.
+  for (const int n : {30, 120}) {
+    add("divided", twice("square of " + std::to_string(n) + " points a side",
+                         [n] { return divided_square(n); }));
   }
   for (const int n : {20, 50}) {
     const std::string name = "plate of " + sizes(n) + " holes";

@@ -143,6 +143,20 @@ Ring zigzag(int corners, double height) {
   return ring;
 }
 
+Ring divided_square(int points_a_side) {
+  const Ring corners = regular(4, 100);
+  Ring ring;
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const Point& p = corners[k];
+    const Point& q = corners[(k + 1) % corners.size()];
+    for (int part = 0; part < points_a_side; ++part) {
+      const double share = static_cast<double>(part) / points_a_side;
+      ring.push_back({p.x + (q.x - p.x) * share, p.y + (q.y - p.y) * share});
+    }
+  }
+  return slanting(std::move(ring));
+}
+
 Ring slanting(Ring ring) {
   for (Point& p : ring) {
     p = {4 * p.x - 3 * p.y, 3 * p.x + 4 * p.y};

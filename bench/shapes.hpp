@@ -42,6 +42,9 @@ Ring zigzag(int corners, double height = 40);
 // Turned by some 37 degrees and five times as large: the exact numbers stay whole ones.
 Ring slanting(Ring ring);
 
+// A square that is turned, and so many points on each side: as near to it as doubles are.
+Ring divided_square(int points_a_side);
+
 // A wall that winds inwards: 8 vertices a turn.
 Ring spiral(int turns);
 

@@ -89,8 +89,10 @@ void check_pair(const PlacedPair& placed, Counts& counts) {
             relative.may_cross(relative.edges_of_a(edges), relative.edges_of_b(edges));
         return (lanes >> lane & 1U) != 0;
       };
-      const bool may = may_cross(EdgesOfBlock<true>{i / width, j}, i % width);
-      EXPECT_EQ(may_cross(EdgesOfBlock<false>{j / width, i}, j % width), may);
+      const bool may =
+          may_cross(EdgesOfBlock<true>{placed.a.boundary.index(), i / width, j}, i % width);
+      EXPECT_EQ(may_cross(EdgesOfBlock<false>{placed.b.boundary.index(), j / width, i}, j % width),
+                may);
       if (meet(placed, i, j)) {
         ++counts.meeting;
         EXPECT_TRUE(may) << i << ' ' << j;

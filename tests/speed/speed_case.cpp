@@ -142,6 +142,9 @@ Pair coast_and_convex() {
   return {coast(random, 250), scaled(octagon, 200)};
 }
 
+// The octagon lies over the mouths of many gaps at once.
+Pair comb_and_octagon() { return {comb(500, 1, 1, 1000), scaled(octagon, 50)}; }
+
 // The ring goes all along the corridor, and boxes of parts of its wall lie one in another.
 Pair spiral_and_small() { return {square_spiral(1200), scaled(octagon, 0x1p-8)}; }
 
@@ -184,6 +187,7 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"stars", stars},
                                                          {"many_spikes", many_spikes},
                                                          {"brushes", brushes},
+                                                         {"comb_and_octagon", comb_and_octagon},
                                                          {"combs", combs},
                                                          {"coasts", coasts},
                                                          {"key_in_slot", key_in_slot},
@@ -200,6 +204,22 @@ Pair turned(const Pair& pair) {
 }
 Pair turned_combs() { return turned(combs()); }
 Pair turned_uneven_combs() { return turned(uneven_combs()); }
+
+// Sides that points divide, off their lines by roundings: hundreds of superset edges lie within
+// some units in the last place of each other.
+Pair divided_squares() {
+  Polygon polygon;
+  const Polygon corners{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  for (std::size_t k = 0; k < corners.size(); ++k) {
+    const auto& [x, y] = corners[k];
+    const auto& [to_x, to_y] = corners[(k + 1) % corners.size()];
+    for (int part = 0; part < 30; ++part) {
+      polygon.push_back({x + (to_x - x) * part / 30, y + (to_y - y) * part / 30});
+    }
+  }
+  polygon = mapped(polygon, {.xx = 0.8, .xy = -0.6, .yx = 0.6, .yy = 0.8});
+  return {polygon, negated(polygon)};
+}
 
 Pair crossed_combs() {
   const Polygon polygon = comb(100, 1, 1, 7);
@@ -220,6 +240,7 @@ const std::map<std::string, std::function<Pair()>> region_cases{
     {"region_of_key", key_in_slot},
     {"region_of_combs", uneven_combs},
     {"region_of_crossed_combs", crossed_combs},
+    {"region_of_divided_squares", divided_squares},
     {"region_of_keyholes", keyholes},
     {"region_of_turned_combs", turned_combs},
     {"region_of_turned_spirals", turned_spirals},
@@ -473,6 +494,25 @@ void distance_in_pocket() {
     map = {.xx = -map.yx, .xy = -map.yy, .yx = map.xx, .yy = map.xy};
   }
 }
+// An octagon about the mouths of a comb whose long edges slant.
+void distance_beside_comb() {
+  const Polygon turned_comb = mapped(comb(1000, 1, 1, 1000), slanting);
+  const Polygon turned_octagon = mapped(scaled(octagon, 50), slanting);
+  gcv_polygon* a = nullptr;
+  gcv_polygon* b = nullptr;
+  require(gcv_polygon_create(turned_comb.front().data(), turned_comb.size(), 0, &a));
+  require(gcv_polygon_create(turned_octagon.front().data(), turned_octagon.size(), 0, &b));
+  Polygon positions;
+  for (int k = 0; k < 8; ++k) {
+    positions.push_back({400.0 + 170 * k, 1240.0 + 7 * k});
+  }
+  positions = mapped(positions, slanting);
+  std::array<gcv_separation, 8> separations;
+  require(
+      gcv_distance(a, b, positions.front().data(), positions.size(), nullptr, separations.data()));
+  gcv_polygon_destroy(b);
+  gcv_polygon_destroy(a);
+}
 void best_in_scene() {
   Random random(6);
   Scene(random, 300, 600).find_best();
@@ -497,6 +537,7 @@ void region_of_fit() {
 }
 
 const std::map<std::string, std::function<void()>> other_cases{
+    {"distance_beside_comb", distance_beside_comb},
     {"distance_in_pocket", distance_in_pocket},
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
