@@ -77,9 +77,10 @@ concept TellsReach = requires(const Search search, const ChainTree::Node& node) 
 template <class Search>
 class PairDescent {
  public:
-  // Of the trees of a pair with that offset.
-  PairDescent(const ChainIndex& a, const ChainIndex& b, const Point& offset, Search& search)
-      : a_(a), b_(b), offset_(offset), search_(search) {}
+  // Of the trees of a pair with that offset. By spreads: of many nodes that are visited.
+  PairDescent(const ChainIndex& a, const ChainIndex& b, const Point& offset, bool by_spreads,
+              Search& search)
+      : a_(a), b_(b), offset_(offset), by_spreads_(by_spreads), search_(search) {}
 
   // Did the search end?
   bool run() {
@@ -107,18 +108,17 @@ class PairDescent {
     return is_asked;
   }
 
-  // With its box, seen from the first vertex of A, and the radius of its sphere.
+  // With its box, seen from the first vertex of A, and its spread.
   struct Node {
     ChainTree::Node place;
     Box box;
-    double radius;
+    double spread;
   };
 
-  // The larger node is left for its children. After many visits that is the one with the larger
-  // sphere: long edges side by side do not become shorter.
+  // The larger node is left for its children.
   [[nodiscard]] bool is_larger(const Node& a, const Node& b) const {
-    return visits_ > visits_by_boxes ? a.radius >= b.radius
-                                     : extents_of(a.box) >= extents_of(b.box);
+    return by_spreads_ && visits_ > visits_by_boxes ? a.spread >= b.spread
+                                                    : extents_of(a.box) >= extents_of(b.box);
   }
   bool descend(const Node& a, const Node& b) {
     if constexpr (TellsReach<Search>) {
@@ -146,7 +146,7 @@ class PairDescent {
       }
       return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
         return descend(
-            {ChainTree::child(a.place, lane), block.box(lane), a_.spheres[number].radius[lane]}, b);
+            {ChainTree::child(a.place, lane), block.box(lane), a_.spreads[number].of[lane]}, b);
       });
     }
     const Index number = b_.tree.block_below(b.place);
@@ -160,13 +160,14 @@ class PairDescent {
     }
     return search_.any_child(block, box, false, [&](std::uint32_t lane) {
       return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_),
-                         b_.spheres[number].radius[lane]});
+                         b_.spreads[number].of[lane]});
     });
   }
 
   const ChainIndex& a_;
   const ChainIndex& b_;
   const Point offset_;
+  const bool by_spreads_;
   Search& search_;
   std::uint64_t visits_ = 0;  // of pairs of nodes
   std::uint64_t trial_begin_ = visits_by_boxes;

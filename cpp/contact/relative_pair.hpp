@@ -22,7 +22,11 @@ class RelativePair {
   // Descends the trees of both (pair_descent.hpp). Did the search end?
   template <class Search>
   bool descend(Search& search) const {
-    return PairDescent(index_a_, index_b_, offset_, search).run();
+    const Index of_a = placed_.a.boundary.size();
+    const Index of_b = placed_.b.boundary.size();
+    const bool one_is_small =
+        limits::is_small_beside(of_a, of_b) || limits::is_small_beside(of_b, of_a);
+    return PairDescent(index_a_, index_b_, offset_, one_is_small, search).run();
   }
   [[nodiscard]] const Point& offset() const { return offset_; }
 
@@ -168,8 +172,8 @@ class RelativePair {
 
   // That of a large polygon beside a small one may be in the order of a curve (tree_product.cpp).
   static const ChainIndex& index_beside(const Boundary& polygon, const Boundary& other) {
-    const bool is_alone = other.size() <= polygon.size() / limits::edges_a_small_one;
-    return is_alone ? polygon.search_index() : polygon.index();
+    return limits::is_small_beside(other.size(), polygon.size()) ? polygon.search_index()
+                                                                 : polygon.index();
   }
   RelativePair(const PlacedPair& placed, const ChainIndex& a, const ChainIndex& b)
       : placed_(placed),

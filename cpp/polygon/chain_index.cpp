@@ -42,11 +42,32 @@ double nodes_over_a_place(const ChainIndex& index) {
   return most / area_of(tree.box);
 }
 
+std::vector<NodeSpreads> spreads_of(const ChainTree& tree) {
+  std::vector<NodeSpreads> spreads(tree.blocks.size());
+  std::vector<double> longest(tree.blocks.size());  // edges below all nodes of a block
+  for (std::size_t depth = tree.first_block.size(); depth-- > 0;) {
+    const bool are_edges = depth + 1 == tree.first_block.size();
+    const std::size_t end = are_edges ? tree.blocks.size() : tree.first_block[depth + 1];
+    for (std::size_t k = tree.first_block[depth]; k < end; ++k) {
+      const std::size_t children = ChainTree::width * (k - tree.first_block[depth]);
+      for_each_lane(children_of(tree.blocks[k]), [&](std::uint32_t lane) {
+        const double extents = extents_of(tree.blocks[k].box(lane));
+        const double edge =
+            are_edges ? extents : longest[tree.first_block[depth + 1] + children + lane];
+        spreads[k].of[lane] = extents - edge;
+        longest[k] = std::max(longest[k], edge);
+      });
+    }
+  }
+  return spreads;
+}
+
 }  // namespace
 
 ChainIndex build_chain_index(const EdgeChain& chain) {
-  ChainIndex index{{}, build_chain_tree(chain), {}};
+  ChainIndex index{{}, build_chain_tree(chain), {}, {}};
   index.spheres = build_swept_spheres(index.tree, chain, index.order);
+  index.spreads = spreads_of(index.tree);
   return index;
 }
 
@@ -63,6 +84,7 @@ std::optional<ChainIndex> build_index_on_curve(const ChainIndex& index, const Ed
   if (!(nodes_over_a_place(on_curve) < nodes / 4)) {
     return std::nullopt;
   }
+  on_curve.spreads = spreads_of(on_curve.tree);
   return on_curve;
 }
 

@@ -12,11 +12,18 @@
 
 namespace gcv {
 
+// How much further the nodes of a block extend than the longest edges below them: they do not
+// become shorter than these. 0 for an edge.
+struct NodeSpreads {
+  double of[ChainTree::width];
+};
+
 // A tree over the edges, with boxes and line-swept spheres, which have the same blocks.
 struct ChainIndex {
   std::vector<Index> order;  // of the edges; empty where it is theirs on the boundary
   ChainTree tree;
   std::vector<SweptSphereBlock> spheres;
+  std::vector<NodeSpreads> spreads;
 
   // That of a number in the order.
   [[nodiscard]] Index edge(Index number) const { return order.empty() ? number : order[number]; }

@@ -25,8 +25,9 @@ double mean_edge_size_of(const Operands& operands) {
 
 const ChainIndex& index_for(const Boundary& polygon, const Boundary& other,
                             const EqualChains& chains) {
-  const bool is_alone = other.size() <= polygon.size() / limits::edges_a_small_one;
-  return is_alone && !chains.exist() ? polygon.search_index() : polygon.index();
+  return limits::is_small_beside(other.size(), polygon.size()) && !chains.exist()
+             ? polygon.search_index()
+             : polygon.index();
 }
 
 }  // namespace
@@ -42,6 +43,8 @@ TreeProduct::TreeProduct(const Operands& operands, const ChainIndex& a, const Ch
     : operands_(operands),
       a_{a, node_sectors(operands.a, operands.directions.rank_a, a), std::move(chains.a)},
       b_{b, node_sectors(operands.b, operands.directions.rank_b, b), std::move(chains.b)},
+      by_spreads_(limits::is_small_beside(operands.a.size(), operands.b.size()) ||
+                  limits::is_small_beside(operands.b.size(), operands.a.size())),
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
 std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,

@@ -58,6 +58,32 @@ void expect_spheres_hold_edges(const Boundary& polygon, const ChainIndex& index)
   }
 }
 
+// Are spreads the extents of nodes beyond those of the longest edges below them?
+void expect_spreads(const Boundary& polygon, const ChainIndex& index) {
+  constexpr std::uint32_t width = ChainTree::width;
+  const std::vector<std::uint32_t>& first_block = index.tree.first_block;
+  std::vector<double> longest(index.spreads.size() * width);
+  const auto place = [&](Index number, std::size_t depth) {
+    const std::uint32_t node = number >> 2 * (first_block.size() - 1 - depth);
+    return width * (first_block[depth] + node / width) + node % width;
+  };
+  for (Index number = 0; number < polygon.size(); ++number) {
+    const Index edge = index.edge(number);
+    const Box box = box_of(polygon.relative(edge), polygon.relative(polygon.next(edge)));
+    for (std::size_t depth = 0; depth < first_block.size(); ++depth) {
+      double& most = longest[place(number, depth)];
+      most = std::max(most, extents_of(box));
+    }
+  }
+  for (Index number = 0; number < polygon.size(); ++number) {
+    for (std::size_t depth = 0; depth < first_block.size(); ++depth) {
+      const std::uint32_t at = place(number, depth);
+      const double extents = extents_of(index.tree.blocks[at / width].box(at % width));
+      EXPECT_EQ(index.spreads[at / width].of[at % width], extents - longest[at]);
+    }
+  }
+}
+
 TEST(ChainIndex, TakesTheCurveForSpirals) {
   for (const int edges : {5, 40}) {
     const Boundary polygon = make_ring(spiral(60, edges), "spiral");
@@ -69,8 +95,10 @@ TEST(ChainIndex, TakesTheCurveForSpirals) {
       EXPECT_EQ(order[k], k);
     }
     expect_spheres_hold_edges(polygon, index);
+    expect_spreads(polygon, index);
     EXPECT_TRUE(polygon.index().order.empty());
     expect_spheres_hold_edges(polygon, polygon.index());
+    expect_spreads(polygon, polygon.index());
   }
 }
 

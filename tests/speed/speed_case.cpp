@@ -142,8 +142,19 @@ Pair coast_and_convex() {
   return {coast(random, 250), scaled(octagon, 200)};
 }
 
-// The octagon lies over the mouths of many gaps at once.
-Pair comb_and_octagon() { return {comb(500, 1, 1, 1000), scaled(octagon, 50)}; }
+// The disc lies over the mouths of many gaps at once.
+Pair comb_and_disc() {
+  const Polygon quarter{{65, 0},  {63, 16}, {60, 25}, {56, 33}, {52, 39},
+                        {39, 52}, {33, 56}, {25, 60}, {16, 63}};
+  Polygon disc;
+  Map map{};
+  for (int k = 0; k < 4; ++k) {
+    const Polygon turned = mapped(quarter, map);
+    disc.insert(disc.end(), turned.begin(), turned.end());
+    map = {.xx = -map.yx, .xy = -map.yy, .yx = map.xx, .yy = map.xy};
+  }
+  return {comb(1000, 1, 1, 1000), scaled(disc, 4)};
+}
 
 // The ring goes all along the corridor, and boxes of parts of its wall lie one in another.
 Pair spiral_and_small() { return {square_spiral(1200), scaled(octagon, 0x1p-8)}; }
@@ -187,7 +198,7 @@ const std::map<std::string, std::function<Pair()>> cases{{"convex", convex},
                                                          {"stars", stars},
                                                          {"many_spikes", many_spikes},
                                                          {"brushes", brushes},
-                                                         {"comb_and_octagon", comb_and_octagon},
+                                                         {"comb_and_disc", comb_and_disc},
                                                          {"combs", combs},
                                                          {"coasts", coasts},
                                                          {"key_in_slot", key_in_slot},
