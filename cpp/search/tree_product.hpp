@@ -87,9 +87,8 @@ class TreeProduct {
     double highest[ChainTree::width];
   };
 
-  // Goes down from the roots: of two nodes, the one with the larger spread is left for its
-  // children. By extents, a comb and a disc that lies over its mouths took 130 times as long. A
-  // place says what to leave out:
+  // Goes down from the roots: the larger node is left for its children. A place says what to leave
+  // out:
   //   offsets(box): those of a box;
   //   cull(block, other): at the block, the node of the other tree added to its nodes.
   // Calls visit(i, j) for pairs of edges that hold all superset edges in that place; given what the
