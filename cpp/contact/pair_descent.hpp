@@ -77,7 +77,8 @@ concept TellsReach = requires(const Search search, const ChainTree::Node& node) 
 template <class Search>
 class PairDescent {
  public:
-  // Of the trees of a pair with that offset. By spreads: of many nodes that are visited.
+  // Of the trees of a pair with that offset. By spreads: after many visits, nodes are compared by
+  // them, as sums beside a small polygon do (tree_product.hpp).
   PairDescent(const ChainIndex& a, const ChainIndex& b, const Point& offset, bool by_spreads,
               Search& search)
       : a_(a), b_(b), offset_(offset), by_spreads_(by_spreads), search_(search) {}

@@ -22,11 +22,9 @@ class RelativePair {
   // Descends the trees of both (pair_descent.hpp). Did the search end?
   template <class Search>
   bool descend(Search& search) const {
-    const Index of_a = placed_.a.boundary.size();
-    const Index of_b = placed_.b.boundary.size();
-    const bool one_is_small =
-        limits::is_small_beside(of_a, of_b) || limits::is_small_beside(of_b, of_a);
-    return PairDescent(index_a_, index_b_, offset_, one_is_small, search).run();
+    const bool by_spreads =
+        limits::is_one_small(placed_.a.boundary.size(), placed_.b.boundary.size());
+    return PairDescent(index_a_, index_b_, offset_, by_spreads, search).run();
   }
   [[nodiscard]] const Point& offset() const { return offset_; }
 

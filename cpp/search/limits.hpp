@@ -35,6 +35,9 @@ inline constexpr std::uint32_t edges_a_small_one = 16;
 constexpr bool is_small_beside(std::uint32_t edges, std::uint32_t edges_of_other) {
   return edges <= edges_of_other / edges_a_small_one;
 }
+constexpr bool is_one_small(std::uint32_t edges_a, std::uint32_t edges_b) {
+  return is_small_beside(edges_a, edges_b) || is_small_beside(edges_b, edges_a);
+}
 
 // Equal chains are looked for where both polygons have so many edges: smaller sums are quick as
 // they are.

@@ -43,8 +43,7 @@ TreeProduct::TreeProduct(const Operands& operands, const ChainIndex& a, const Ch
     : operands_(operands),
       a_{a, node_sectors(operands.a, operands.directions.rank_a, a), std::move(chains.a)},
       b_{b, node_sectors(operands.b, operands.directions.rank_b, b), std::move(chains.b)},
-      by_spreads_(limits::is_small_beside(operands.a.size(), operands.b.size()) ||
-                  limits::is_small_beside(operands.b.size(), operands.a.size())),
+      by_spreads_(limits::is_one_small(operands.a.size(), operands.b.size())),
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
 std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,

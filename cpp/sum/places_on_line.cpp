@@ -19,7 +19,9 @@ int PlacesOnLine::side_of(const Line& other, const Place& place) const {
   if (turn == 0) {
     return side_of_sum(other, start_of(line_.edge));
   }
-  if (static_cast<const EdgeName&>(place.crossing) == static_cast<const EdgeName&>(other.edge)) {
+  const EdgeName& name = place.crossing;
+  const EdgeName& name_of_other = other.edge;
+  if (name == name_of_other) {
     ++tally_.filtered;
     return 0;
   }
@@ -32,7 +34,7 @@ int PlacesOnLine::side_of(const Line& other, const Place& place) const {
   if (this->turn(across.edge.rank, other.edge.rank) == 0) {
     return side(other.at, across.at.origin, tally_);
   }
-  if (const EdgeName& name = place.crossing; !kept_ || !(kept_->name == name)) {
+  if (!kept_ || !(kept_->name == name)) {
     kept_ = {name, Crossing(line_.at, across.at)};
   }
   return turn * kept_->crossing.compare(other.at, tally_);
