@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+#include "best_free.hpp"
 #include "cover.hpp"
 #include "exact_point.hpp"
 #include "exact_region.hpp"
@@ -22,14 +23,6 @@
 #include "walked_lines.hpp"
 
 namespace gcv {
-
-struct FreePlace {
-  ExactPoint point;
-  Interval distance;           // from the goal
-  PairEdge edge;               // it lies on the line of this superset edge,
-  Interval parameter;          // here
-  std::optional<Place> place;  // likewise, unless it is a foot
-};
 
 class FreePlaceSearch {
  public:
@@ -52,9 +45,12 @@ class FreePlaceSearch {
     bool is_for_corners;
   };
   // The furthest one in a direction, of several the lexicographically smallest, of those that are
-  // wanted. The free set must be bounded in it. Throws Error: cancelled, internal.
+  // wanted. The free set must be bounded in it. None before `first` is free, if that is given: what
+  // lies there is left out, also where the operands do not cover it. Throws Error: cancelled,
+  // internal.
   std::optional<FreePlace> furthest(const Point& direction, const Wish& wish, Task& task,
-                                    std::uint64_t step);
+                                    std::uint64_t step,
+                                    const std::optional<ExactPoint>& first = std::nullopt);
 
   static constexpr std::uint64_t no_limit = std::numeric_limits<std::uint64_t>::max();
   // How many edges and pairs of nodes the last search for a nearest place looked at, and how many

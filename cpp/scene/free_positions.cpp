@@ -7,10 +7,50 @@
 #include "directions.hpp"
 #include "free_place.hpp"
 #include "joined_solids.hpp"
+#include "placed_box.hpp"
 #include "units.hpp"
 #include "vector.hpp"
 
 namespace gcv {
+
+namespace {
+
+// A box that holds all positions of a polygon in a container, by their boxes. The polygon's is that
+// of its reflection.
+Box positions_in(const Box& container, const Box& reflected) {
+  return {sum_below(container.x0, reflected.x0), sum_below(container.y0, reflected.y0),
+          sum_above(container.x1, reflected.x1), sum_above(container.y1, reflected.y1)};
+}
+
+// Holds the part of a box that is no further in a direction than a point of it.
+Box no_further_than(const Point& p, const Point& direction, const Box& box) {
+  const double size = std::max(std::max(std::abs(box.x0), std::abs(box.x1)),
+                               std::max(std::abs(box.y0), std::abs(box.y1)));
+  // The bound of a coordinate, with the least of the other one. Far away, or not a number, where
+  // there is none.
+  const auto bound = [&](double at, double along, double other, double across, double from,
+                         double to) {
+    const double change = std::max(across * (other - from), across * (other - to)) / along;
+    const double margin = 0x1p-40 * (size + std::abs(change));
+    return along > 0 ? at + change + margin : at + change - margin;
+  };
+  const double x = bound(p.x, direction.x, p.y, direction.y, box.y0, box.y1);
+  const double y = bound(p.y, direction.y, p.x, direction.x, box.x0, box.x1);
+  Box part = box;
+  if (direction.x > 0) {
+    part.x1 = x < part.x1 ? x : part.x1;
+  } else if (direction.x < 0) {
+    part.x0 = x > part.x0 ? x : part.x0;
+  }
+  if (direction.y > 0) {
+    part.y1 = y < part.y1 ? y : part.y1;
+  } else if (direction.y < 0) {
+    part.y0 = y > part.y0 ? y : part.y0;
+  }
+  return part;
+}
+
+}  // namespace
 
 UsablePosition FreePositions::usable(const ExactPoint& place, Tally& tally) const {
   return usable_position(place, {0, 0}, tally, NearbySceneRelations(questions_, tally));
@@ -53,23 +93,69 @@ UsablePosition FreePositions::usable_along(const ExactPoint& place, const std::v
   return free.value_or(nearest);
 }
 
+FreePositions::Furthest FreePositions::furthest(FreePlaceSearch& search, const Point& direction,
+                                                const std::optional<ExactPoint>& first, Task& task,
+                                                Tally& tally) const {
+  bool are_all_shown = true;
+  const auto is_shown = [&](const FreePlace& fit) {
+    const bool result = usable(fit.point, tally).relation != Relation::overlapping;
+    are_all_shown = are_all_shown && result;
+    return result;
+  };
+  const auto place = search.furthest(direction, {is_shown, false}, task, 1, first);
+  if (are_all_shown && query_.ignored.empty()) {
+    scene_.known_bests().keep(question(direction),
+                              {place ? std::optional(place->point) : std::nullopt});
+  }
+  return {place, are_all_shown};
+}
+
+FreePositions::Furthest FreePositions::furthest_from(const ExactPoint& first,
+                                                     const Point& direction, Task& task,
+                                                     Tally& tally) const {
+  const Box positions =
+      no_further_than(nearest_point(first, {0, 0}, tally), direction,
+                      positions_in(scene_.container()->boundary.bounds, reflected_.bounds));
+  // Edges that begin before that would pass free places where what covers these is left out. With
+  // this margin, most do not: layouts take 0.6 to 1 of the time.
+  const Box& extents = reflected_.bounds;
+  const double margin = ((extents.x1 - extents.x0) + (extents.y1 - extents.y0)) / 4;
+  const JoinedSolids solids =
+      join_solids_near(scene_, query_, reflected_, widened_outwards(positions, margin));
+  Operands operands{*solids.boundary, reflected_,
+                    merge_directions(*solids.boundary, reflected_, tally)};
+  operands.focus = widened(operands.relative_box(positions), slack_of(operands));
+  FreePlaceSearch search(operands, wanted_, tally);
+  return furthest(search, direction, first, task, tally);
+}
+
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
                                                       Tally& tally) const {
+  const auto known =
+      query_.ignored.empty() ? scene_.known_bests().find(question(direction)) : std::nullopt;
+  if (known && !known->place) {
+    return std::nullopt;
+  }
+  if (known) {
+    const auto [place, are_all_shown] = furthest_from(*known->place, direction, task, tally);
+    if (!place && are_all_shown) {
+      return std::nullopt;
+    }
+    const std::optional<UsablePosition> position =
+        place ? std::optional(usable(place->point, tally)) : std::nullopt;
+    if (position && position->relation != Relation::overlapping) {
+      return position;
+    }
+  }
   const JoinedSolids solids = join_solids(scene_, query_, reflected_, std::nullopt);
   const Operands operands{*solids.boundary, reflected_,
                           merge_directions(*solids.boundary, reflected_, tally)};
   const auto position_of = [&](FreePlaceSearch& search, const FreePlace& place) {
     return usable_along(place.point, search.ways_off(place), {-direction.x, -direction.y}, tally);
   };
-  // Fits that no doubles show are passed over.
-  bool are_all_shown = true;
   FreePlaceSearch search(operands, wanted_, tally);
-  const auto is_shown_fit = [&](const FreePlace& fit) {
-    const bool is_shown = usable(fit.point, tally).relation != Relation::overlapping;
-    are_all_shown = are_all_shown && is_shown;
-    return is_shown;
-  };
-  if (const auto place = search.furthest(direction, {is_shown_fit, false}, task, 1)) {
+  const auto [place, are_all_shown] = furthest(search, direction, std::nullopt, task, tally);
+  if (place) {
     const UsablePosition position = position_of(search, *place);
     if (position.relation != Relation::overlapping) {
       return position;
@@ -87,8 +173,8 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   }
   // Where nothing else is free, fits count.
   const auto is_any = [](const FreePlace& /*fit*/) { return true; };
-  const auto place = search.furthest(direction, {is_any, false}, task, 1);
-  return place ? std::optional(usable(place->point, tally)) : std::nullopt;
+  const auto fit = search.furthest(direction, {is_any, false}, task, 1);
+  return fit ? std::optional(usable(fit->point, tally)) : std::nullopt;
 }
 
 }  // namespace gcv

@@ -3,10 +3,12 @@
 // Free positions of a polygon in a scene, found without the free region.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "exact_region.hpp"
+#include "free_place.hpp"
 #include "polygon.hpp"
 #include "scene_questions.hpp"
 #include "task.hpp"
@@ -18,11 +20,13 @@ class FreePositions {
  public:
   // All must live longer. `reflected` is the reflection of the polygon. Without fits, those places
   // alone count that have free ones around.
-  FreePositions(const Scene& scene, const Query& query, const Polygon& moving,
-                const Polygon& reflected, bool with_fits)
+  FreePositions(const Scene& scene, const Query& query,
+                const std::shared_ptr<const Polygon>& moving, const Polygon& reflected,
+                bool with_fits)
       : scene_(scene),
         query_(query),
-        moving_(moving.boundary()),
+        polygon_(moving),
+        moving_(moving->boundary()),
         reflected_(reflected.boundary()),
         wanted_{true, with_fits},
         questions_(scene, query, moving_) {}
@@ -39,11 +43,27 @@ class FreePositions {
   // A position in doubles for a place.
   [[nodiscard]] UsablePosition usable(const ExactPoint& place, Tally& tally) const;
   // The furthest position in a direction, of several the lexicographically smallest; nothing if
-  // there is none. Throws Error: invalid_argument without a container; cancelled, internal.
+  // there is none. Where that was asked before, and members were added since, begins where that
+  // ended. Throws Error: invalid_argument without a container; cancelled, internal.
   [[nodiscard]] std::optional<UsablePosition> furthest(const Point& direction, Task& task,
                                                        Tally& tally) const;
 
  private:
+  struct Furthest {
+    std::optional<FreePlace> place;
+    bool are_all_shown;  // by doubles: all fits that are further
+  };
+  // The furthest place, less fits that no doubles show. None before `first` is free, if that is
+  // given. Keeps what it finds for the next question.
+  [[nodiscard]] Furthest furthest(FreePlaceSearch& search, const Point& direction,
+                                  const std::optional<ExactPoint>& first, Task& task,
+                                  Tally& tally) const;
+  // The same, among the solids that are not too far behind the first.
+  [[nodiscard]] Furthest furthest_from(const ExactPoint& first, const Point& direction, Task& task,
+                                       Tally& tally) const;
+  [[nodiscard]] KnownBests::Question question(const Point& direction) const {
+    return {polygon_, direction, query_.layers, wanted_.fits};
+  }
   // The same of a furthest place, or the nearest free position found on one of the ways: those off
   // the place, or the one back.
   [[nodiscard]] UsablePosition usable_along(const ExactPoint& place, const std::vector<Point>& ways,
@@ -55,6 +75,7 @@ class FreePositions {
 
   const Scene& scene_;
   const Query& query_;
+  const std::shared_ptr<const Polygon>& polygon_;
   const Boundary& moving_;
   const Boundary& reflected_;
   const WantedParts wanted_;

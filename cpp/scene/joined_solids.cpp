@@ -23,6 +23,12 @@ double size_of(const Box& box) {
                   std::max(std::abs(box.y0), std::abs(box.y1)));
 }
 
+// What a polygon with that box can reach from positions in a box.
+Box reach_from(const Box& positions, const Box& moving) {
+  return {sum_below(positions.x0, moving.x0), sum_below(positions.y0, moving.y0),
+          sum_above(positions.x1, moving.x1), sum_above(positions.y1, moving.y1)};
+}
+
 // How far solids that shut off the rest reach beyond a box.
 double margin_of(const Box& box) {
   return ((box.x1 - box.x0) + (box.y1 - box.y0)) / 16 + 0x1p-40 * size_of(box) + 0x1p-1000;
@@ -152,6 +158,12 @@ Slots slots_near(const Scene& scene, const Query& query, const Box& box) {
   return slots;
 }
 
+JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,
+                              const Box& positions) {
+  const Box reach = reach_from(positions, turned_round(reflected.bounds));
+  return join_members(scene, query, slots_near(scene, query, reach));
+}
+
 JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots) {
   Joining joining;
   if (const std::optional<Solid> container = container_of(scene, query)) {
@@ -177,8 +189,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   Box reach = container ? container->boundary.bounds : empty_box;
   Box outer = reach;
   if (window) {
-    reach = {sum_below(window->x0, moving.x0), sum_below(window->y0, moving.y0),
-             sum_above(window->x1, moving.x1), sum_above(window->y1, moving.y1)};
+    reach = reach_from(*window, moving);
     outer = hull_of(outer, reach);
   }
   Joining joining;

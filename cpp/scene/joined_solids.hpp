@@ -31,6 +31,11 @@ struct JoinedSolids {
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
                          const std::optional<Box>& window);
 
+// The container, and the members that a query admits that a polygon can touch from a position in a
+// box. The query must admit the container.
+JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,
+                              const Box& positions);
+
 using Slots = std::vector<BoxForest::Slot>;
 
 // The members that a query admits whose boxes meet a box, in order.

@@ -31,6 +31,7 @@ void Scene::set_container(const Polygon* container) {
                    ? nullptr
                    : std::make_shared<const Boundary>(container->boundary().complement());
   container_stamp_ = next_stamp();
+  known_bests_.clear();
 }
 
 Id Scene::add(std::vector<std::shared_ptr<const Polygon>> polygons,
@@ -88,6 +89,7 @@ void Scene::set(std::span<const Id> ids, std::span<const std::shared_ptr<const P
     member.position = positions.empty() ? member.position : positions[k];
     member.stamp = stamp;
   }
+  known_bests_.clear();
 }
 
 void Scene::set_layers(std::span<const Id> ids, std::span<const std::uint32_t> layers) {
@@ -96,6 +98,7 @@ void Scene::set_layers(std::span<const Id> ids, std::span<const std::uint32_t> l
     members_[slot].layers = layers[k];
     members_[slot].stamp = stamp;
   }
+  known_bests_.clear();
 }
 
 void Scene::remove(std::span<const Id> ids) {
@@ -116,6 +119,7 @@ void Scene::remove(std::span<const Id> ids) {
     members_[name.slot].polygon = nullptr;
   }
   size_ -= all.size();
+  known_bests_.clear();
 }
 
 // Removed members are dropped when they are more than those that are there. The order stays.
@@ -193,6 +197,8 @@ std::optional<Solid> Scene::container() const {
                                : std::optional(Solid{container_id, *container_, {0, 0}});
 }
 
-std::size_t Scene::bytes() const { return members_.capacity() * sizeof(Member) + boxes_.bytes(); }
+std::size_t Scene::bytes() const {
+  return members_.capacity() * sizeof(Member) + boxes_.bytes() + known_bests_.bytes();
+}
 
 }  // namespace gcv

@@ -3,7 +3,8 @@
 // Polygons at positions, and perhaps a container round them.
 //
 // The one object of the core that changes. A change that throws leaves it as it was. Everything a
-// question needs is made from the members when it is asked, but for a forest over their boxes.
+// question needs is made from the members when it is asked, but for a forest over their boxes, and
+// best positions that are known.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "box_forest.hpp"
+#include "known_bests.hpp"
 #include "polygon.hpp"
 
 namespace gcv {
@@ -76,6 +78,9 @@ class Scene {
   [[nodiscard]] std::uint64_t family() const { return family_; }
   [[nodiscard]] std::uint64_t container_stamp() const { return container_stamp_; }
 
+  // Those that no change since then can have made better.
+  [[nodiscard]] KnownBests& known_bests() const { return known_bests_; }
+
   // The bytes that it has taken, without the polygons.
   [[nodiscard]] std::size_t bytes() const;
 
@@ -97,6 +102,7 @@ class Scene {
   std::shared_ptr<const Boundary> container_;
   std::uint64_t container_stamp_ = 0;
   std::uint64_t family_;
+  mutable KnownBests known_bests_;
 };
 
 }  // namespace gcv

@@ -26,12 +26,15 @@ void NearestEdges::find_edges_below() {
 
 void NearestEdges::set_goal(const Goal& goal) {
   goal_ = goal;
+  least_ = -infinity;
   if (!goal.is_point()) {
     goal_.vector = unit_vector(goal.vector);
     furthest_ = 0;
     furthest_ = -cost(operands_.relative_bounds());
   }
 }
+
+void NearestEdges::leave_out_before(double distance) { least_ = distance - 8 * search_.slack(); }
 
 double NearestEdges::distance(const Point& p) const {
   return goal_.is_point() ? length_of(p.x - goal_.vector.x, p.y - goal_.vector.y) : cost(p);
@@ -83,7 +86,8 @@ void NearestEdges::look_below(ChordTree::Node a, ChordTree::Node b, double limit
     }
     const Box box = sum_of(a_.box(p), b_.box(q));
     const double least = cost(box);
-    if (!(least > limit) && !operands_.is_out_of_focus(box) && !search_.covers(box)) {
+    if (!(least > limit) && !is_left_out(box) && !operands_.is_out_of_focus(box) &&
+        !search_.covers(box)) {
       push({least, Entry::nodes, p, q});
     }
   };

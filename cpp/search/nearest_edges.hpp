@@ -34,6 +34,9 @@ class NearestEdges {
   // How far a place is from the goal: its distance from the point, or how much less far it is than
   // anything of the sum. Rounded: within four times the slack of the search.
   void set_goal(const Goal& goal);
+  // Leaves out what is nearer to a goal that is a direction, as far as that is certain. Until the
+  // next goal.
+  void leave_out_before(double distance);
   [[nodiscard]] double distance(const Point& p) const;
 
   // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may
@@ -122,6 +125,11 @@ class NearestEdges {
   }
   // That of the nearest place in a box.
   [[nodiscard]] double cost(const Box& box) const;
+  // Is all of a box left out?
+  [[nodiscard]] bool is_left_out(const Box& box) const {
+    const auto& [x, y] = goal_.vector;
+    return cost(Point{x < 0 ? box.x1 : box.x0, y < 0 ? box.y1 : box.y0}) < least_;
+  }
   // What the cost of places no further than that may be in doubles.
   [[nodiscard]] double limit_of_costs(double reach) const;
 
@@ -134,6 +142,7 @@ class NearestEdges {
   double scale_;                    // of distances, so that their squares are in range
   Goal goal_ = Goal::near({0, 0});  // a direction is a unit vector
   double furthest_ = 0;             // that anything is, in a direction
+  double least_ = -infinity;        // what costs less is left out
   std::vector<Entry> heap_;
 };
 

@@ -20,9 +20,7 @@ struct WindowBorder {
 
   // For operands of which no more than the window is looked at.
   [[nodiscard]] Box focus(const Operands& operands) const {
-    const Point low = operands.relative_place({window.x0, window.y0});
-    const Point high = operands.relative_place({window.x1, window.y1});
-    return widened({low.x, low.y, high.x, high.y}, slack_of(operands));
+    return widened(operands.relative_box(window), slack_of(operands));
   }
 
   [[nodiscard]] bool makes(const EdgeName& edge) const { return edge.i >= first; }

@@ -112,6 +112,11 @@ struct Operands {
     const Point c = a.position(0);
     return {rounded_sum(p.x, -v.x, -w.x, -c.x), rounded_sum(p.y, -v.y, -w.y, -c.y)};
   }
+  [[nodiscard]] Box relative_box(const Box& box) const {
+    const Point low = relative_place({box.x0, box.y0});
+    const Point high = relative_place({box.x1, box.y1});
+    return {low.x, low.y, high.x, high.y};
+  }
   [[nodiscard]] Box relative_bounds() const {
     return sum_of(a.relative_bounds(), b.relative_bounds());
   }

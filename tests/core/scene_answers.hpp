@@ -108,7 +108,30 @@ class Asker {
       return gcv_scene_near(scene_, asked_.moving, asked_.positions.front().data(), asked_.distance,
                             &query_, nullptr, out);
     });
-    return bytes + bytes_of(near.get(), names_);
+    return bytes + bytes_of(near.get(), names_) + bests();
+  }
+  // Best positions, with fits and without.
+  [[nodiscard]] std::string bests() const {
+    std::string bytes;
+    for (const Point& direction : Points{{-1, 0}, {0.25, 1}}) {
+      for (const std::uint64_t leave_out : {std::uint64_t{0}, std::uint64_t{GCV_LEAVE_OUT_FITS}}) {
+        append(bytes, best(direction, leave_out));
+      }
+    }
+    return bytes;
+  }
+  struct Best {
+    gcv_status status;
+    std::int32_t found;
+    Point position;
+  };
+  [[nodiscard]] Best best(const Point& direction, std::uint64_t leave_out) const {
+    gcv_options options = GCV_OPTIONS_INIT;
+    options.leave_out = leave_out;
+    Best result{GCV_OK, 0, {0, 0}};
+    result.status = gcv_scene_best(scene_, asked_.moving, direction.data(), &query_, &options,
+                                   result.position.data(), &result.found);
+    return result;
   }
 
   [[nodiscard]] std::string pairs(const gcv_pair_list* previous, Owner<gcv_pair_list>& out) const {

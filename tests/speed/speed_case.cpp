@@ -529,6 +529,26 @@ void best_in_scene() {
   Scene(random, 300, 600).find_best();
 }
 
+// A layout of one shape: each search begins where the last one ended.
+void layout_of_keys() {
+  const Polygon key = mapped(key_of({3, 4, 7, 5}), slanting);
+  with_container(
+      {{0, 0}, {6000, 0}, {6000, 150}, {0, 150}}, {4}, key, {},
+      [](gcv_scene* scene, const gcv_polygon* moving) {
+        const double left[2] = {-1, 0};
+        double position[2];
+        std::int32_t is_found = 0;
+        std::uint64_t id = 0;
+        for (int k = 0; k < 150; ++k) {
+          require(gcv_scene_best(scene, moving, left, nullptr, nullptr, position, &is_found));
+          if (is_found == 0) {
+            throw std::runtime_error("the strip is too short");
+          }
+          require(gcv_scene_add(scene, &moving, position, 1, &id));
+        }
+      });
+}
+
 // A coast in a hole of its own shape: all superset edges of the hole meet in one place.
 void region_of_fit() {
   Random random(9);
@@ -550,6 +570,7 @@ void region_of_fit() {
 const std::map<std::string, std::function<void()>> other_cases{
     {"distance_beside_comb", distance_beside_comb},
     {"distance_in_pocket", distance_in_pocket},
+    {"layout_of_keys", layout_of_keys},
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
