@@ -80,12 +80,24 @@ NestingJob job_of(const std::string& name, double height, const std::vector<Ring
   return job;
 }
 
-// Those with a strip, then larger ones without: theirs is twice as high as the highest part.
+// Those with a strip, then two of them with many times the parts, then larger ones without: theirs
+// is twice as high as the highest part.
 std::vector<NestingJob> jobs_in(const std::filesystem::path& directory) {
   std::vector<NestingJob> jobs;
   for (const test::NestingInstance& instance : test::read_nesting_instances(directory)) {
     jobs.push_back(
         job_of(instance.name, box_of(instance.board).height, instance.pieces, instance.quantities));
+  }
+  constexpr std::size_t times = 4;
+  for (const test::NestingInstance& instance : test::read_nesting_instances(directory)) {
+    if (instance.name == "Shapes0" || instance.name == "Shirts") {
+      std::vector<std::size_t> quantities = instance.quantities;
+      for (std::size_t& quantity : quantities) {
+        quantity *= times;
+      }
+      jobs.push_back(job_of(instance.name + " x " + std::to_string(times),
+                            box_of(instance.board).height, instance.pieces, quantities));
+    }
   }
   for (const std::string name : {"gardeyn1", "gardeyn2", "gardeyn3", "gardeyn6"}) {
     std::map<int, Ring> parts;

@@ -61,7 +61,7 @@ gcv_status gcv_scene_best(const gcv_scene* scene, const gcv_polygon* moving,
     }
     Task task(gcv::capi::threads_of(known), known.progress, known.progress_context);
     task.begin(scene->scene.size() + 1);
-    const FreePositions positions(scene->scene, asked, moving->polygon, *moving->reflected(),
+    const FreePositions positions(scene->scene, asked, *moving->polygon, *moving->reflected(),
                                   gcv::capi::wanted_parts(known).fits);
     Tally tally;
     const std::optional<gcv::UsablePosition> best = positions.furthest(wanted, task, tally);
@@ -89,7 +89,7 @@ gcv_status gcv_scene_penetration(const gcv_scene* scene, const gcv_polygon* movi
     require(positions, "positions");
     require(out, "out");
     const gcv::capi::Vectors all(positions, count, "positions", sizeof *out);
-    const FreePositions ways(scene->scene, asked, moving->polygon, *moving->reflected(),
+    const FreePositions ways(scene->scene, asked, *moving->polygon, *moving->reflected(),
                              gcv::capi::wanted_parts(known).fits);
     const std::size_t block = gcv::capi::long_block(count, known);
     gcv::capi::give_all(count, Task::portion, 1, block, known, out, [&](Tally& tally, Task& task) {

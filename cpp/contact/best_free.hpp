@@ -111,8 +111,8 @@ class BestFree {
   // Is the first point better than the second one?
   bool is_before(const ExactPoint& p, const Interval& distance_p, const ExactPoint& q,
                  const Interval& distance_q) {
-    if (distance_p.hi < distance_q.lo || distance_p.lo > distance_q.hi) {
-      return distance_p.hi < distance_q.lo;
+    if (const int order = order_of(distance_p, distance_q); order != 0) {
+      return order < 0;
     }
     const int order = best().compare_exactly(p, q);
     return order < 0 || (order == 0 && compare_lexicographically(p, q, tally_) < 0);

@@ -184,8 +184,8 @@ class FirstEntry {
 }  // namespace
 
 int compare_times(const Entry& p, const Entry& q, Tally& tally) {
-  if (p.time.hi < q.time.lo || p.time.lo > q.time.hi) {
-    return p.time.hi < q.time.lo ? -1 : 1;
+  if (const int order = order_of(p.time, q.time); order != 0) {
+    return order;
   }
   return compare_crossings(p.path, p.line, q.path, q.line, tally);
 }

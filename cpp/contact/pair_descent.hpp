@@ -87,7 +87,7 @@ class PairDescent {
   bool run() {
     const Box& a = a_.tree.box;
     const Box& b = b_.tree.box;
-    return descend({{0, 0}, a, extents_of(a)}, {{0, 0}, moved(b, offset_), extents_of(b)});
+    return descend({{0, 0}, a}, {{0, 0}, moved(b, offset_)});
   }
 
  private:
@@ -109,16 +109,15 @@ class PairDescent {
     return is_asked;
   }
 
-  // With its box, seen from the first vertex of A, and its spread.
+  // With its box, seen from the first vertex of A.
   struct Node {
     ChainTree::Node place;
     Box box;
-    double spread;
   };
 
   // The larger node is left for its children.
   [[nodiscard]] bool is_larger(const Node& a, const Node& b) const {
-    return by_spreads_ && visits_ > visits_by_boxes ? a.spread >= b.spread
+    return by_spreads_ && visits_ > visits_by_boxes ? a_.spread(a.place) >= b_.spread(b.place)
                                                     : extents_of(a.box) >= extents_of(b.box);
   }
   bool descend(const Node& a, const Node& b) {
@@ -146,8 +145,7 @@ class PairDescent {
         }
       }
       return search_.any_child(block, b.box, true, [&](std::uint32_t lane) {
-        return descend(
-            {ChainTree::child(a.place, lane), block.box(lane), a_.spreads[number].of[lane]}, b);
+        return descend({ChainTree::child(a.place, lane), block.box(lane)}, b);
       });
     }
     const Index number = b_.tree.block_below(b.place);
@@ -160,8 +158,7 @@ class PairDescent {
       }
     }
     return search_.any_child(block, box, false, [&](std::uint32_t lane) {
-      return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_),
-                         b_.spreads[number].of[lane]});
+      return descend(a, {ChainTree::child(b.place, lane), moved(block.box(lane), offset_)});
     });
   }
 

@@ -57,6 +57,10 @@ struct Interval {
   double lo;
   double hi;
 };
+// -1 if all of p is below all of q, 1 if it is above, 0 if they meet.
+inline int order_of(const Interval& p, const Interval& q) {
+  return p.hi < q.lo ? -1 : p.lo > q.hi ? 1 : 0;
+}
 Interval crossing_parameter(const SumEdge& s, const SumEdge& t);
 // The same in fewer steps. Nothing if the lines are nearly parallel.
 std::optional<Interval> rough_crossing_parameter(const SumEdge& s, const SumEdge& t);

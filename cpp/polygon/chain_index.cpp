@@ -42,8 +42,8 @@ double nodes_over_a_place(const ChainIndex& index) {
   return most / area_of(tree.box);
 }
 
-std::vector<NodeSpreads> spreads_of(const ChainTree& tree) {
-  std::vector<NodeSpreads> spreads(tree.blocks.size());
+std::vector<ChainIndex::Spreads> spreads_of(const ChainTree& tree) {
+  std::vector<ChainIndex::Spreads> spreads(tree.blocks.size());
   std::vector<double> longest(tree.blocks.size());  // edges below all nodes of a block
   for (std::size_t depth = tree.first_block.size(); depth-- > 0;) {
     const bool are_edges = depth + 1 == tree.first_block.size();
@@ -64,10 +64,13 @@ std::vector<NodeSpreads> spreads_of(const ChainTree& tree) {
 
 }  // namespace
 
+const std::vector<ChainIndex::Spreads>& ChainIndex::spreads() const {
+  return lazy_spreads.get([this] { return spreads_of(tree); });
+}
+
 ChainIndex build_chain_index(const EdgeChain& chain) {
   ChainIndex index{{}, build_chain_tree(chain), {}, {}};
   index.spheres = build_swept_spheres(index.tree, chain, index.order);
-  index.spreads = spreads_of(index.tree);
   return index;
 }
 
@@ -84,7 +87,6 @@ std::optional<ChainIndex> build_index_on_curve(const ChainIndex& index, const Ed
   if (!(nodes_over_a_place(on_curve) < nodes / 4)) {
     return std::nullopt;
   }
-  on_curve.spreads = spreads_of(on_curve.tree);
   return on_curve;
 }
 

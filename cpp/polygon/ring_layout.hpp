@@ -68,6 +68,8 @@ class RingLayout {
     }
   }
 
+  friend bool operator==(const RingLayout&, const RingLayout&) = default;
+
  private:
   // Apart from the code of the first ring, which is that of polygons without holes.
   [[nodiscard, gnu::cold]] Index next_in_later_ring(Index i) const;

@@ -3,7 +3,6 @@
 // Free positions of a polygon in a scene, found without the free region.
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -20,13 +19,11 @@ class FreePositions {
  public:
   // All must live longer. `reflected` is the reflection of the polygon. Without fits, those places
   // alone count that have free ones around.
-  FreePositions(const Scene& scene, const Query& query,
-                const std::shared_ptr<const Polygon>& moving, const Polygon& reflected,
-                bool with_fits)
+  FreePositions(const Scene& scene, const Query& query, const Polygon& moving,
+                const Polygon& reflected, bool with_fits)
       : scene_(scene),
         query_(query),
-        polygon_(moving),
-        moving_(moving->boundary()),
+        moving_(moving.boundary()),
         reflected_(reflected.boundary()),
         wanted_{true, with_fits},
         questions_(scene, query, moving_) {}
@@ -62,7 +59,7 @@ class FreePositions {
   [[nodiscard]] Furthest furthest_from(const ExactPoint& first, const Point& direction, Task& task,
                                        Tally& tally) const;
   [[nodiscard]] KnownBests::Question question(const Point& direction) const {
-    return {polygon_, direction, query_.layers, wanted_.fits};
+    return {moving_, direction, query_.layers, wanted_.fits};
   }
   // The same of a furthest place, or the nearest free position found on one of the ways: those off
   // the place, or the one back.
@@ -75,7 +72,6 @@ class FreePositions {
 
   const Scene& scene_;
   const Query& query_;
-  const std::shared_ptr<const Polygon>& polygon_;
   const Boundary& moving_;
   const Boundary& reflected_;
   const WantedParts wanted_;

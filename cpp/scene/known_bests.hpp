@@ -6,13 +6,12 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <vector>
 
+#include "boundary.hpp"
 #include "exact_point.hpp"
-#include "polygon.hpp"
 
 namespace gcv {
 
@@ -24,9 +23,10 @@ class KnownBests {
   KnownBests& operator=(const KnownBests&) = delete;
   ~KnownBests() = default;
 
-  // What the best position depends on, beside the solids.
+  // What the best position depends on, beside the solids. Layouts make many polygons with the same
+  // vertices.
   struct Question {
-    std::shared_ptr<const Polygon> moving;
+    const Boundary& moving;
     Point direction;
     std::uint32_t layers;
     bool with_fits;
@@ -36,32 +36,35 @@ class KnownBests {
     std::optional<ExactPoint> place;
   };
 
-  // Nothing if it was not asked, or long ago. A polygon is known by its address, while it lives.
+  // Nothing if it was not asked, or long ago.
   [[nodiscard]] std::optional<Best> find(const Question& question) const;
+  // The oldest ones are dropped for it where that takes too many.
   void keep(const Question& question, const Best& best);
   void clear();
 
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  // So many questions are kept: parts times turns, of a layout; and so many vertices.
+  static constexpr std::size_t most = 256;
+  static constexpr std::size_t most_vertices = std::size_t{1} << 18;
+
   struct Entry {
-    std::weak_ptr<const Polygon> moving;
+    PointVector vertices;  // of the polygon that moves
+    RingLayout layout;
     Point direction;
     std::uint32_t layers;
     bool with_fits;
     Best best;
 
-    [[nodiscard]] bool answers(const Question& question) const {
-      return direction == question.direction && layers == question.layers &&
-             with_fits == question.with_fits && moving.lock() == question.moving;
-    }
+    [[nodiscard]] bool answers(const Question& question) const;
   };
-  // So many questions are known: parts times turns, of a layout.
-  static constexpr std::size_t most = 256;
+  // The index of the entry that answers, or of none behind the last one.
+  [[nodiscard]] std::size_t index_of(const Question& question) const;
 
   mutable std::mutex mutex_;
-  std::vector<Entry> entries_;
-  std::size_t kept_ = 0;  // of all, up to now
+  std::vector<Entry> entries_;  // the oldest ones first
+  std::size_t vertices_ = 0;    // of all
 };
 
 }  // namespace gcv

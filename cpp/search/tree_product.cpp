@@ -30,6 +30,13 @@ const ChainIndex& index_for(const Boundary& polygon, const Boundary& other,
              : polygon.index();
 }
 
+// Beside a small polygon nodes are compared by their spreads: a comb and a disc that lies over its
+// mouths takes 0.01 of the time by extents. Saws with themselves would take 400 times as long.
+const ChainIndex::Spreads* spreads_of(const Operands& operands, const ChainIndex& index) {
+  return limits::is_one_small(operands.a.size(), operands.b.size()) ? index.spreads().data()
+                                                                    : nullptr;
+}
+
 }  // namespace
 
 // Repeated chains are numbered in the order of the boundary. Two large polygons are searched in
@@ -41,9 +48,10 @@ TreeProduct::TreeProduct(const Operands& operands, EqualChains chains)
 TreeProduct::TreeProduct(const Operands& operands, const ChainIndex& a, const ChainIndex& b,
                          EqualChains chains)
     : operands_(operands),
-      a_{a, node_sectors(operands.a, operands.directions.rank_a, a), std::move(chains.a)},
-      b_{b, node_sectors(operands.b, operands.directions.rank_b, b), std::move(chains.b)},
-      by_spreads_(limits::is_one_small(operands.a.size(), operands.b.size())),
+      a_{a, spreads_of(operands, a), node_sectors(operands.a, operands.directions.rank_a, a),
+         std::move(chains.a)},
+      b_{b, spreads_of(operands, b), node_sectors(operands.b, operands.directions.rank_b, b),
+         std::move(chains.b)},
       mean_edge_size_(mean_edge_size_of(operands)) {}
 
 std::vector<TreeProduct::SectorBlock> TreeProduct::node_sectors(const Boundary& polygon,

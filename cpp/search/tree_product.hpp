@@ -68,7 +68,7 @@ class TreeProduct {
     Point from;       // the ends of its sphere
     Point to;
     double radius;
-    double spread;        // as in ChainIndex
+    double size;          // by which nodes are compared: its extents, or its spread
     std::uint32_t chain;  // its number where chains are repeated; 0 for the root
   };
 
@@ -134,6 +134,7 @@ class TreeProduct {
   // A polygon's tree with the sectors of its nodes.
   struct Tree {
     const ChainIndex& index;
+    const ChainIndex::Spreads* spreads;  // nullptr if nodes are compared by extents
     std::vector<SectorBlock> sectors;
     EqualChains::Numbers chains;
   };
@@ -165,9 +166,7 @@ class TreeProduct {
       if (--visits_left < 0) {
         return;
       }
-      const bool a_is_larger =
-          superset.by_spreads_ ? a.spread >= b.spread : extents_of(a.box) >= extents_of(b.box);
-      const bool expand_a = b_is_edge || (!a_is_edge && a_is_larger);
+      const bool expand_a = b_is_edge || (!a_is_edge && a.size >= b.size);
       const Tree& tree = expand_a ? superset.a_ : superset.b_;
       const Node& node = expand_a ? a : b;
       const Node& other = expand_a ? b : a;
@@ -184,14 +183,15 @@ class TreeProduct {
       }
       for_each_lane(survivors.lanes, [&](std::uint32_t k) {
         const SweptSphereBlock& spheres = block.spheres;
+        const Box box = block.boxes.box(k);
         const Node child{ChainTree::child(node.place, k),
                          {sectors.edges[k], sectors.cones[k]},
-                         block.boxes.box(k),
+                         box,
                          {survivors.lowest[k], survivors.highest[k]},
                          {spheres.x0[k], spheres.y0[k]},
                          {spheres.x1[k], spheres.y1[k]},
                          spheres.radius[k],
-                         tree.index.spreads[number].of[k],
+                         tree.spreads != nullptr ? tree.spreads[number].of[k] : extents_of(box),
                          met != nullptr ? tree.chains[number][k] : 0};
         if (expand_a) {
           descend(child, b);
@@ -224,10 +224,6 @@ class TreeProduct {
   const Operands& operands_;
   Tree a_;
   Tree b_;
-  // Beside a small polygon nodes are compared by their spreads: a comb and a disc that lies over
-  // its mouths takes 0.01 of the time by extents. Saws with themselves would take 400 times as
-  // long.
-  bool by_spreads_;
   double mean_edge_size_;  // of both polygons, of the larger coordinate
 };
 

@@ -161,8 +161,8 @@ const EdgeCover::Run* EdgeCover::find_run(const PlacesOnLine& places, const Rela
   }
   const Interval here = parameters_of(line, place);
   const auto run = std::find_if(runs_.begin(), runs_.end(), [&](const Run& r) {
-    return !(r.parameters.lo > here.hi) && !(r.parameters.hi < here.lo) &&
-           places.compare(r.from, place) <= 0 && places.compare(place, r.to) < 0;
+    return order_of(r.parameters, here) == 0 && places.compare(r.from, place) <= 0 &&
+           places.compare(place, r.to) < 0;
   });
   return run == runs_.end() ? nullptr : &*run;
 }

@@ -41,7 +41,7 @@ class KnownRuns {
     } else if (const std::vector<Stretch>* const stretches = lines_.find(edge)) {
       const Interval along = places_of(edge);
       for (const Stretch& stretch : *stretches) {
-        if (!(stretch.places.hi < along.lo) && !(stretch.places.lo > along.hi)) {
+        if (order_of(stretch.places, along) == 0) {
           visit(runs_[stretch.run].run);
         }
       }

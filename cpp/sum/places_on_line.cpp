@@ -25,10 +25,10 @@ int PlacesOnLine::side_of(const Line& other, const Place& place) const {
     ++tally_.filtered;
     return 0;
   }
-  if (const auto parameter = rough_crossing_parameter(line_.at, other.at);
-      parameter && (place.parameter.hi < parameter->lo || place.parameter.lo > parameter->hi)) {
+  const std::optional<Interval> parameter = rough_crossing_parameter(line_.at, other.at);
+  if (const int order = parameter ? order_of(place.parameter, *parameter) : 0; order != 0) {
     ++tally_.filtered;
-    return place.parameter.hi < parameter->lo ? -turn : turn;
+    return turn * order;
   }
   const Line across = Line::of(operands_, place.crossing);
   if (this->turn(across.edge.rank, other.edge.rank) == 0) {
@@ -68,9 +68,9 @@ int PlacesOnLine::compare(const Place& p, const Place& q) const {
     ++tally_.filtered;
     return 0;
   }
-  if (p.parameter.hi < q.parameter.lo || p.parameter.lo > q.parameter.hi) {
+  if (const int order = order_of(p.parameter, q.parameter); order != 0) {
     ++tally_.filtered;
-    return p.parameter.hi < q.parameter.lo ? -1 : 1;
+    return order;
   }
   return compare_crossings(line_.at, coordinates(operands_.a, operands_.b, e),
                            coordinates(operands_.a, operands_.b, f), tally_);

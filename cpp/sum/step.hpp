@@ -192,9 +192,9 @@ class Step {
   }
 
   int compare_parameters(const Interval& pt, const Line& t, const Interval& pr, const Line& r) {
-    if (pt.hi < pr.lo || pt.lo > pr.hi) {
+    if (const int order = order_of(pt, pr); order != 0) {
       ++tally_.filtered;
-      return pt.hi < pr.lo ? -1 : 1;
+      return order;
     }
     return compare_crossings(line_.at, t.at, r.at, tally_);
   }

@@ -60,26 +60,26 @@ void expect_spheres_hold_edges(const Boundary& polygon, const ChainIndex& index)
 
 // Are spreads the extents of nodes beyond those of the longest edges below them?
 void expect_spreads(const Boundary& polygon, const ChainIndex& index) {
-  constexpr std::uint32_t width = ChainTree::width;
-  const std::vector<std::uint32_t>& first_block = index.tree.first_block;
-  std::vector<double> longest(index.spreads.size() * width);
-  const auto place = [&](Index number, std::size_t depth) {
-    const std::uint32_t node = number >> 2 * (first_block.size() - 1 - depth);
-    return width * (first_block[depth] + node / width) + node % width;
+  const std::size_t depths = index.tree.first_block.size();
+  std::vector<std::vector<double>> longest(depths, std::vector<double>(polygon.size()));
+  const auto node_of = [&](Index number, std::size_t depth) {
+    return static_cast<std::uint32_t>(number >> 2 * (depths - 1 - depth));
   };
   for (Index number = 0; number < polygon.size(); ++number) {
     const Index edge = index.edge(number);
     const Box box = box_of(polygon.relative(edge), polygon.relative(polygon.next(edge)));
-    for (std::size_t depth = 0; depth < first_block.size(); ++depth) {
-      double& most = longest[place(number, depth)];
+    for (std::size_t depth = 0; depth < depths; ++depth) {
+      double& most = longest[depth][node_of(number, depth)];
       most = std::max(most, extents_of(box));
     }
   }
   for (Index number = 0; number < polygon.size(); ++number) {
-    for (std::size_t depth = 0; depth < first_block.size(); ++depth) {
-      const std::uint32_t at = place(number, depth);
-      const double extents = extents_of(index.tree.blocks[at / width].box(at % width));
-      EXPECT_EQ(index.spreads[at / width].of[at % width], extents - longest[at]);
+    for (std::size_t depth = 0; depth < depths; ++depth) {
+      const std::uint32_t node = node_of(number, depth);
+      const std::uint32_t block = index.tree.first_block[depth] + node / ChainTree::width;
+      const double extents = extents_of(index.tree.blocks[block].box(node % ChainTree::width));
+      EXPECT_EQ(index.spread({static_cast<std::uint32_t>(depth) + 1, node}),
+                extents - longest[depth][node]);
     }
   }
 }

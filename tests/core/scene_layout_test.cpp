@@ -45,7 +45,9 @@ class Layout {
     }
     const std::size_t shape = below(shapes_.size());
     const std::uint32_t layers = below(5) == 0 ? 1 : UINT32_MAX;
-    const Asked asked{shapes_[shape].get(), {}, {}, layers, {}, 0, 0};
+    // Layouts often make a polygon anew.
+    const invariants::PolygonHandle anew = made(description_.shapes[shape]);
+    const Asked asked{(below(2) == 0 ? anew : shapes_[shape]).get(), {}, {}, layers, {}, 0, 0};
     const Name same;
     Name names;
     const invariants::SceneHandle fresh = made_afresh(members_, shapes_, names);

@@ -104,9 +104,9 @@ class Places(Questions):
         Where nothing else is free, it is the one nearest to the exact position, where
         relation tells OVERLAPPING.
 
-        Takes as long as the superset edges that reach further; less if the same Polygon was
-        asked for before, and members were only added since. The other arguments and the
-        errors are those of free_region, with direction in place of the window.
+        Takes as long as the superset edges that reach further; less if one with the same
+        vertices was asked for before, and members were only added since. The other arguments
+        and the errors are those of free_region, with direction in place of the window.
         """
         polygon, members = as_polygon(moving, "moving"), query_of(layers, ignore)
         towards = _structs.Point(*pair(direction, "direction"))

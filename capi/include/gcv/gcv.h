@@ -1677,9 +1677,9 @@ gcv_scene_free_region(const gcv_scene *scene, const gcv_polygon *moving, const d
  * @param found      1; 0 where the polygon is free nowhere.
  * @return as gcv_scene_free_region.
  * Exactness: which position is the furthest is decided exactly. Cost: that of the superset edges
- * that reach further in the direction. Where the same polygon was asked for before, and members
- * were only added since, less of those that reach further than that answer: a scene keeps the last
- * 256 questions, a polygon by its handle. Threads: any. @since 0.2
+ * that reach further in the direction. Where a polygon with the same vertices was asked for before,
+ * and members were only added since, less of those that reach further than that answer: a scene
+ * keeps 256 questions, of polygons with 2^18 vertices in all. Threads: any. @since 0.2
  */
 GCV_API GCV_NODISCARD gcv_status gcv_scene_best(const gcv_scene *scene, const gcv_polygon *moving,
                                                 const double direction[2], const gcv_query *query,
