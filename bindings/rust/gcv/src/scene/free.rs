@@ -90,6 +90,9 @@ impl Scene {
     /// nothing else is free, it is the `f64` nearest to the exact one, and the polygon
     /// overlaps there: [`Scene::relation`] tells.
     ///
+    /// It takes less time where a polygon with the same vertices was asked for before, and members
+    /// were only added since.
+    ///
     /// ```
     /// use gcv::{Options, Polygon, Query, Scene};
     ///
