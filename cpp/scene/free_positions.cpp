@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "directions.hpp"
 #include "free_place.hpp"
@@ -147,9 +148,9 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
       return position;
     }
   }
-  const JoinedSolids solids = join_solids(scene_, query_, reflected_, std::nullopt);
-  const Operands operands{*solids.boundary, reflected_,
-                          merge_directions(*solids.boundary, reflected_, tally)};
+  const std::shared_ptr<const JoinedSolids> solids = join_all_solids(scene_, query_, reflected_);
+  const Operands operands{*solids->boundary, reflected_,
+                          merge_directions(*solids->boundary, reflected_, tally)};
   const auto position_of = [&](FreePlaceSearch& search, const FreePlace& place) {
     return usable_along(place.point, search.ways_off(place), {-direction.x, -direction.y}, tally);
   };

@@ -15,6 +15,9 @@ namespace gcv {
 
 namespace {
 
+// More vertices than that are not kept: with their trees they take some 10 MB.
+constexpr Index most_kept = 1U << 16;
+
 // Of the polygon, from that of its reflection.
 Box turned_round(const Box& box) { return {-box.x1, -box.y1, -box.x0, -box.y0}; }
 
@@ -156,6 +159,22 @@ Slots slots_near(const Scene& scene, const Query& query, const Box& box) {
   });
   std::sort(slots.begin(), slots.end());
   return slots;
+}
+
+std::shared_ptr<const JoinedSolids> join_all_solids(const Scene& scene, const Query& query,
+                                                    const Boundary& reflected) {
+  if (!query.ignored.empty()) {
+    return std::make_shared<const JoinedSolids>(join_solids(scene, query, reflected, std::nullopt));
+  }
+  std::shared_ptr<const JoinedSolids> solids = scene.kept_solids().find(query.layers);
+  if (solids == nullptr) {
+    solids =
+        std::make_shared<const JoinedSolids>(join_solids(scene, query, reflected, std::nullopt));
+    if (solids->boundary->size() <= most_kept) {
+      scene.kept_solids().keep(query.layers, solids);
+    }
+  }
+  return solids;
 }
 
 JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,

@@ -31,6 +31,11 @@ struct JoinedSolids {
 JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary& reflected,
                          const std::optional<Box>& window);
 
+// The same in the container, without a window. Of scenes that are not too large, they are kept: the
+// next question before a change has them.
+std::shared_ptr<const JoinedSolids> join_all_solids(const Scene& scene, const Query& query,
+                                                    const Boundary& reflected);
+
 // The container, and the members that a query admits that a polygon can touch from a position in a
 // box. The query must admit the container.
 JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,

@@ -31,7 +31,7 @@ void Scene::set_container(const Polygon* container) {
                    ? nullptr
                    : std::make_shared<const Boundary>(container->boundary().complement());
   container_stamp_ = next_stamp();
-  known_bests_.clear();
+  forget();
 }
 
 Id Scene::add(std::vector<std::shared_ptr<const Polygon>> polygons,
@@ -61,6 +61,7 @@ Id Scene::add(std::vector<std::shared_ptr<const Polygon>> polygons,
     members_.push_back({next_id_++, std::move(polygons[k]), positions[k], stamp, all_layers});
   }
   size_ += polygons.size();
+  kept_solids_.clear();
   return first;
 }
 
@@ -89,7 +90,7 @@ void Scene::set(std::span<const Id> ids, std::span<const std::shared_ptr<const P
     member.position = positions.empty() ? member.position : positions[k];
     member.stamp = stamp;
   }
-  known_bests_.clear();
+  forget();
 }
 
 void Scene::set_layers(std::span<const Id> ids, std::span<const std::uint32_t> layers) {
@@ -98,7 +99,7 @@ void Scene::set_layers(std::span<const Id> ids, std::span<const std::uint32_t> l
     members_[slot].layers = layers[k];
     members_[slot].stamp = stamp;
   }
-  known_bests_.clear();
+  forget();
 }
 
 void Scene::remove(std::span<const Id> ids) {
@@ -119,7 +120,7 @@ void Scene::remove(std::span<const Id> ids) {
     members_[name.slot].polygon = nullptr;
   }
   size_ -= all.size();
-  known_bests_.clear();
+  forget();
 }
 
 // Removed members are dropped when they are more than those that are there. The order stays.

@@ -3,8 +3,8 @@
 // Polygons at positions, and perhaps a container round them.
 //
 // The one object of the core that changes. A change that throws leaves it as it was. Everything a
-// question needs is made from the members when it is asked, but for a forest over their boxes, and
-// best positions that are known.
+// question needs is made from the members when it is asked, but for a forest over their boxes, best
+// positions that are known, and the last solids that were joined.
 #pragma once
 
 #include <cstddef>
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "box_forest.hpp"
+#include "kept_solids.hpp"
 #include "known_bests.hpp"
 #include "polygon.hpp"
 
@@ -80,6 +81,8 @@ class Scene {
 
   // Those that no change since then can have made better.
   [[nodiscard]] KnownBests& known_bests() const { return known_bests_; }
+  // Those of the scene as it is.
+  [[nodiscard]] KeptSolids& kept_solids() const { return kept_solids_; }
 
   // The bytes that it has taken, without the polygons.
   [[nodiscard]] std::size_t bytes() const;
@@ -94,6 +97,11 @@ class Scene {
   };
   [[nodiscard]] std::vector<Named> named(std::span<const Id> ids) const;
   void tidy();
+  // After a change that may free positions.
+  void forget() {
+    known_bests_.clear();
+    kept_solids_.clear();
+  }
 
   std::vector<Member> members_;
   std::size_t size_ = 0;  // of those that were not removed
@@ -103,6 +111,7 @@ class Scene {
   std::uint64_t container_stamp_ = 0;
   std::uint64_t family_;
   mutable KnownBests known_bests_;
+  mutable KeptSolids kept_solids_;
 };
 
 }  // namespace gcv

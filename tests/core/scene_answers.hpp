@@ -110,6 +110,27 @@ class Asker {
     });
     return bytes + bytes_of(near.get(), names_) + bests();
   }
+  // The vertices of the free region in the container, and whose edges they are.
+  [[nodiscard]] std::string free_region() const {
+    std::string bytes;
+    gcv_region* out = nullptr;
+    append(bytes, gcv_scene_free_region(scene_, asked_.moving, nullptr, &query_, nullptr, &out));
+    const Owner<gcv_region> region(out);
+    if (region) {
+      std::size_t count = 0;
+      invariants::require(gcv_region_vertices(region.get(), nullptr, 0, &count), "their number");
+      Points vertices(count + 1);
+      invariants::require(gcv_region_vertices(region.get(), vertices.front().data(), count, &count),
+                          "vertices");
+      for (std::size_t k = 0; k < count; ++k) {
+        append(bytes, vertices[k]);
+      }
+      for (const Id id : invariants::elements(gcv_region_edge_owners, region.get())) {
+        append(bytes, name_of(names_, id));
+      }
+    }
+    return bytes;
+  }
   // Best positions, with fits and without.
   [[nodiscard]] std::string bests() const {
     std::string bytes;

@@ -48,12 +48,19 @@ class Layout {
     // Layouts often make a polygon anew.
     const invariants::PolygonHandle anew = made(description_.shapes[shape]);
     const Asked asked{(below(2) == 0 ? anew : shapes_[shape]).get(), {}, {}, layers, {}, 0, 0};
-    const Name same;
+    Name same;
     Name names;
+    for (const auto& [id, member] : members_.by_id) {
+      same[id] = id;
+    }
     const invariants::SceneHandle fresh = made_afresh(members_, shapes_, names);
     const Asker asker(scene_.get(), asked, same);
-    if (asker.bests() != Asker(fresh.get(), asked, names).bests()) {
+    const Asker fresh_asker(fresh.get(), asked, names);
+    if (asker.bests() != fresh_asker.bests()) {
       return "another best position of shape " + std::to_string(shape);
+    }
+    if (below(2) == 0 && asker.free_region() != fresh_asker.free_region()) {
+      return "another free region of shape " + std::to_string(shape);
     }
     const Asker::Best best = asker.best(below(2) == 0 ? Point{-1, 0} : Point{0.25, 1}, 0);
     require(best.status, "a best position");
