@@ -137,8 +137,9 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   if (known && !known->place) {
     return std::nullopt;
   }
-  if (known) {
-    const auto [place, are_all_shown] = furthest_from(*known->place, direction, task, tally);
+  const std::optional<ExactPoint> first = known ? known->place : std::nullopt;
+  if (first) {
+    const auto [place, are_all_shown] = furthest_from(*first, direction, task, tally);
     if (!place && are_all_shown) {
       return std::nullopt;
     }
@@ -155,7 +156,7 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
     return usable_along(place.point, search.ways_off(place), {-direction.x, -direction.y}, tally);
   };
   FreePlaceSearch search(operands, wanted_, tally);
-  const auto [place, are_all_shown] = furthest(search, direction, std::nullopt, task, tally);
+  const auto [place, are_all_shown] = furthest(search, direction, first, task, tally);
   if (place) {
     const UsablePosition position = position_of(search, *place);
     if (position.relation != Relation::overlapping) {
@@ -166,7 +167,7 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
     const auto is_shown = [&](const FreePlace& other) {
       return position_of(near, other).relation != Relation::overlapping;
     };
-    const auto shown = search.furthest(direction, {is_shown, true}, task, 1);
+    const auto shown = search.furthest(direction, {is_shown, true}, task, 1, first);
     return shown ? position_of(near, *shown) : position;
   }
   if (are_all_shown) {
@@ -174,7 +175,7 @@ std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Ta
   }
   // Where nothing else is free, fits count.
   const auto is_any = [](const FreePlace& /*fit*/) { return true; };
-  const auto fit = search.furthest(direction, {is_any, false}, task, 1);
+  const auto fit = search.furthest(direction, {is_any, false}, task, 1, first);
   return fit ? std::optional(usable(fit->point, tally)) : std::nullopt;
 }
 
