@@ -27,6 +27,18 @@ inline Box moved_outwards(const Box& box, const Point& by) {
           sum_above(box.y1, by.y)};
 }
 
+// Holds all sums of a point of one box and one of the other.
+inline Box sum_outwards(const Box& p, const Box& q) {
+  return {sum_below(p.x0, q.x0), sum_below(p.y0, q.y0), sum_above(p.x1, q.x1),
+          sum_above(p.y1, q.y1)};
+}
+
+// Of its coordinates, the largest magnitude.
+inline double size_of(const Box& box) {
+  return std::max(std::max(std::abs(box.x0), std::abs(box.x1)),
+                  std::max(std::abs(box.y0), std::abs(box.y1)));
+}
+
 // Holds all points that are no further than a distance from the box.
 inline Box widened_outwards(const Box& box, double distance) {
   return {sum_below(box.x0, -distance), sum_below(box.y0, -distance), sum_above(box.x1, distance),

@@ -16,23 +16,18 @@ namespace gcv {
 
 namespace {
 
-// A box that holds all positions of a polygon in a container, by their boxes. The polygon's is that
-// of its reflection.
-Box positions_in(const Box& container, const Box& reflected) {
-  return {sum_below(container.x0, reflected.x0), sum_below(container.y0, reflected.y0),
-          sum_above(container.x1, reflected.x1), sum_above(container.y1, reflected.y1)};
-}
-
-// Holds the part of a box that is no further in a direction than a point of it.
+// Holds the part of a box that is no further in a direction, a unit vector, than a point of it that
+// is rounded to doubles.
 Box no_further_than(const Point& p, const Point& direction, const Box& box) {
-  const double size = std::max(std::max(std::abs(box.x0), std::abs(box.x1)),
-                               std::max(std::abs(box.y0), std::abs(box.y1)));
+  // Of a coordinate and a difference.
+  const double error = 0x1p-40 * size_of(box) + 0x1p-1000;
   // The bound of a coordinate, with the least of the other one. Far away, or not a number, where
   // there is none.
   const auto bound = [&](double at, double along, double other, double across, double from,
                          double to) {
-    const double change = std::max(across * (other - from), across * (other - to)) / along;
-    const double margin = 0x1p-40 * (size + std::abs(change));
+    const double most = std::max(across * (other - from), across * (other - to));
+    const double change = (most + std::abs(across) * error + 0x1p-1000) / along;
+    const double margin = error + 0x1p-40 * std::abs(change);
     return along > 0 ? at + change + margin : at + change - margin;
   };
   const double x = bound(p.x, direction.x, p.y, direction.y, box.y0, box.y1);
@@ -115,8 +110,8 @@ FreePositions::Furthest FreePositions::furthest_from(const ExactPoint& first,
                                                      const Point& direction, Task& task,
                                                      Tally& tally) const {
   const Box positions =
-      no_further_than(nearest_point(first, {0, 0}, tally), direction,
-                      positions_in(scene_.container()->boundary.bounds, reflected_.bounds));
+      no_further_than(nearest_point(first, {0, 0}, tally), unit_vector(direction),
+                      sum_outwards(scene_.container()->boundary.bounds, reflected_.bounds));
   // Edges that begin before that would pass free places where what covers these is left out. With
   // this margin, most do not: layouts take 0.6 to 1 of the time.
   const Box& extents = reflected_.bounds;

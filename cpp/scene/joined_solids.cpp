@@ -21,17 +21,6 @@ constexpr Index most_kept = 1U << 16;
 // Of the polygon, from that of its reflection.
 Box turned_round(const Box& box) { return {-box.x1, -box.y1, -box.x0, -box.y0}; }
 
-double size_of(const Box& box) {
-  return std::max(std::max(std::abs(box.x0), std::abs(box.x1)),
-                  std::max(std::abs(box.y0), std::abs(box.y1)));
-}
-
-// What a polygon with that box can reach from positions in a box.
-Box reach_from(const Box& positions, const Box& moving) {
-  return {sum_below(positions.x0, moving.x0), sum_below(positions.y0, moving.y0),
-          sum_above(positions.x1, moving.x1), sum_above(positions.y1, moving.y1)};
-}
-
 // How far solids that shut off the rest reach beyond a box.
 double margin_of(const Box& box) {
   return ((box.x1 - box.x0) + (box.y1 - box.y0)) / 16 + 0x1p-40 * size_of(box) + 0x1p-1000;
@@ -163,14 +152,13 @@ Slots slots_near(const Scene& scene, const Query& query, const Box& box) {
 
 std::shared_ptr<const JoinedSolids> join_all_solids(const Scene& scene, const Query& query,
                                                     const Boundary& reflected) {
-  if (!query.ignored.empty()) {
-    return std::make_shared<const JoinedSolids>(join_solids(scene, query, reflected, std::nullopt));
-  }
-  std::shared_ptr<const JoinedSolids> solids = scene.kept_solids().find(query.layers);
+  const bool may_be_kept = query.ignored.empty();
+  std::shared_ptr<const JoinedSolids> solids =
+      may_be_kept ? scene.kept_solids().find(query.layers) : nullptr;
   if (solids == nullptr) {
     solids =
         std::make_shared<const JoinedSolids>(join_solids(scene, query, reflected, std::nullopt));
-    if (solids->boundary->size() <= most_kept) {
+    if (may_be_kept && solids->boundary->size() <= most_kept) {
       scene.kept_solids().keep(query.layers, solids);
     }
   }
@@ -179,7 +167,7 @@ std::shared_ptr<const JoinedSolids> join_all_solids(const Scene& scene, const Qu
 
 JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,
                               const Box& positions) {
-  const Box reach = reach_from(positions, turned_round(reflected.bounds));
+  const Box reach = sum_outwards(positions, turned_round(reflected.bounds));
   return join_members(scene, query, slots_near(scene, query, reach));
 }
 
@@ -208,7 +196,7 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   Box reach = container ? container->boundary.bounds : empty_box;
   Box outer = reach;
   if (window) {
-    reach = reach_from(*window, moving);
+    reach = sum_outwards(*window, moving);
     outer = hull_of(outer, reach);
   }
   Joining joining;

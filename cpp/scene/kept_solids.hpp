@@ -16,7 +16,11 @@ struct JoinedSolids;  // joined_solids.hpp
 class KeptSolids {
  public:
   KeptSolids() = default;
-  KeptSolids(const KeptSolids& other) : KeptSolids(other.copy()) {}
+  KeptSolids(const KeptSolids& other) {
+    const std::lock_guard<std::mutex> lock(other.mutex_);
+    layers_ = other.layers_;
+    solids_ = other.solids_;
+  }
   KeptSolids& operator=(const KeptSolids&) = delete;
   ~KeptSolids() = default;
 
@@ -33,16 +37,6 @@ class KeptSolids {
   void clear() { keep(0, nullptr); }
 
  private:
-  struct Copy {
-    std::uint32_t layers;
-    std::shared_ptr<const JoinedSolids> solids;
-  };
-  explicit KeptSolids(Copy copy) : layers_(copy.layers), solids_(std::move(copy.solids)) {}
-  [[nodiscard]] Copy copy() const {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    return {layers_, solids_};
-  }
-
   mutable std::mutex mutex_;
   std::uint32_t layers_ = 0;
   std::shared_ptr<const JoinedSolids> solids_;

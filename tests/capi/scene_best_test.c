@@ -80,6 +80,31 @@ static void one_after_another(void) {
   gcv_polygon_destroy(unit);
 }
 
+/* Directions whose products are no doubles, and what is far from the last answer, though as far in
+ * the direction, nearly. */
+static void tiny_directions(void) {
+  static const double sizes[] = {1, 0x1p-1040};
+  size_t k;
+  for (k = 0; k < sizeof sizes / sizeof *sizes; ++k) {
+    const double u = 0x1p-6 * sizes[k];
+    gcv_polygon *room = SQUARE(31 * u), *small = SQUARE(2 * u), *corner = SQUARE(20 * u);
+    gcv_polygon *beside = POLYGON(0, 0, 6 * u, 0, 6 * u, 19 * u, 0, 19 * u);
+    gcv_polygon *above = POLYGON(0, 0, 31 * u, 0, 31 * u, 11 * u, 0, 11 * u);
+    gcv_scene *scene = scene_in(room);
+    add(scene, corner, 0, 0);
+    add(scene, beside, 20 * u, 0);
+    CHECK(best_is(scene, small, -0x1p-1074, -0x1p-1074, NULL, 0, 20 * u));
+    add(scene, above, 0, 20 * u);
+    CHECK(best_is(scene, small, -0x1p-1074, -0x1p-1074, NULL, 26 * u, 0));
+    gcv_scene_destroy(scene);
+    gcv_polygon_destroy(room);
+    gcv_polygon_destroy(small);
+    gcv_polygon_destroy(corner);
+    gcv_polygon_destroy(beside);
+    gcv_polygon_destroy(above);
+  }
+}
+
 /* Segments and points are free, unless they are left out. */
 static void exact_fits(void) {
   gcv_polygon *room = SQUARE(4), *square = SQUARE(2), *level = POLYGON(0, 0, 4, 0, 4, 1, 0, 1);
@@ -292,6 +317,7 @@ static void what_is_refused(void) {
 int main(void) {
   in_a_square();
   one_after_another();
+  tiny_directions();
   exact_fits();
   queries();
   positions_between_doubles();
