@@ -159,16 +159,17 @@ bool FreePlaceSearch::holds(const PairEdge& edge, const ExactPoint& point) const
 
 std::vector<WitnessSearch::Pair> FreePlaceSearch::pairs_near(const FreePlace& place) {
   WitnessSearch& search = cover_.search();
-  const SumEdge line = coordinates(operands_.a, operands_.b, place.edge);
+  const SumEdge edge = coordinates(operands_.a, operands_.b, place.edge);
   const Interval at = search.slack() < infinity ? place.parameter : Interval{0, 1};
-  // On an outer ring the place may lie beyond the end of the edge.
-  double length = 1;
-  while (at.hi > length) {
+  // The place may lie beyond either end of the edge: on an outer ring, or on a segment.
+  const double towards = at.hi < 0 ? -1 : 1;
+  double length = towards;
+  while (std::max(-at.lo, at.hi) > length * towards) {
     length *= 2;
   }
-  return search.all_pairs_near(
-      {operands_.relative_start(place.edge), length * line.dx, length * line.dy}, at.lo / length,
-      at.hi / length);
+  const RelativeLine line{operands_.relative_start(place.edge), length * edge.dx, length * edge.dy};
+  const auto [from, to] = std::minmax({at.lo / length, at.hi / length});
+  return search.all_pairs_near(line, from, to);
 }
 
 }  // namespace gcv

@@ -121,6 +121,39 @@ static void into_containers(void) {
   gcv_polygon_destroy(large);
 }
 
+/* From many positions the ways lead to segments and points that were found once. What is touched at
+ * the end of a segment is found from the edge that it begins with, which may be far behind. */
+static void to_the_ends_of_segments(void) {
+  gcv_polygon *room = POLYGON(0, 0, 4, 0, 4, 6, 0, 6);
+  gcv_polygon *moving = POLYGON(0, 0, 2, 0, 2, 1, 0, 1);
+  gcv_polygon *members[4] = {POLYGON(3, 1, 0, 0, 1, 2), POLYGON(0, 0, 1, 0, 1, 1),
+                             POLYGON(0, 0, 4, 0, 4, 3, 3, 3, 3, 1, 1, 1, 1, 3, 0, 3),
+                             POLYGON(2, 0, 1, 2, 1, 1)};
+  const double at[4][2] = {{2, 0}, {2, 0}, {2, 3}, {1, 0}};
+  enum { count = 16 };
+  double positions[2 * count];
+  gcv_escape ways[count];
+  gcv_scene *scene = scene_in(room);
+  for (int k = 0; k < 4; ++k) {
+    add(scene, members[k], at[k][0], at[k][1]);
+    gcv_polygon_destroy(members[k]);
+  }
+  for (int k = 0; k < count; ++k) {
+    positions[2 * k] = k % 3 - 1;
+    positions[2 * k + 1] = k % 2 == 0 ? 8 : -3;
+  }
+  CHECK_OK(gcv_scene_penetration(scene, moving, positions, count, NULL, NULL, ways));
+  for (int k = 0; k < count; ++k) {
+    const gcv_escape alone = escape_at(scene, moving, positions[2 * k], positions[2 * k + 1], NULL);
+    CHECK(ways[k].position[0] == 0 && ways[k].position[1] == (k % 2 == 0 ? 5 : 0));
+    CHECK(ways[k].contact.kind != 0 && ways[k].contact.id_a != 0);
+    CHECK(memcmp(&ways[k], &alone, sizeof alone) == 0);
+  }
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(room);
+  gcv_polygon_destroy(moving);
+}
+
 static void queries_and_options(void) {
   gcv_polygon *room = SQUARE(10), *unit = SQUARE(1), *square = SQUARE(2);
   gcv_scene *scene = scene_in(room);
@@ -261,6 +294,7 @@ static void what_is_refused(void) {
 int main(void) {
   out_of_members();
   into_containers();
+  to_the_ends_of_segments();
   queries_and_options();
   as_two_polygons();
   coordinates_that_are_no_doubles();
