@@ -3,7 +3,8 @@
 // The method. Take two exact edges that do not meet, and let their rounded counterparts meet. Then
 // an end of one has changed sides of the line of the other: the sign of an orientation is lost. The
 // repair restores each such sign. It moves the end and the line apart, along the normal of the
-// line. That can move them onto others, so it takes several rounds.
+// line. That can move them onto others, so it takes several rounds. Or exact edges of two
+// rings touch: then an end of one that lies on the line of the other has come to lie beyond it.
 #include "repair.hpp"
 
 #include <algorithm>
@@ -110,8 +111,10 @@ class Separator {
   void restore_side(const RingEdge& e, const RingEdge& end) {
     const Point& p = vertex(e);
     const Point& q = vertex(next(e));
-    const int wanted = exact_side(exact_, source(e), source(end), tally_);
-    if (wanted == 0 || orientation(p, q, vertex(end), tally_) == wanted) {
+    const int exact = exact_side(exact_, source(e), source(end), tally_);
+    const int wanted = exact != 0 ? exact : side_of_neighbours(e, end);
+    const int side = orientation(p, q, vertex(end), tally_);
+    if (wanted == 0 || side == wanted || side == exact) {
       return;
     }
     // The unit normal of the line, to the wanted side. Scaled first, so that nothing overflows or
@@ -125,6 +128,18 @@ class Separator {
     demand(end, normal, 1);
     demand(e, normal, -1);
     demand(next(e), normal, -1);
+  }
+
+  // The side of the line of edge e that the edges at a vertex on it are on, if that is a vertex of
+  // another ring. Else 0.
+  [[nodiscard]] int side_of_neighbours(const RingEdge& e, const RingEdge& vertex) const {
+    if (vertex.ring == e.ring) {
+      return 0;
+    }
+    const RingEdge before{vertex.ring, cyclic_previous(vertex.edge, rings_[vertex.ring].size())};
+    const int side = exact_side(exact_, source(e), source(before), tally_);
+    const int other = exact_side(exact_, source(e), source(next(vertex)), tally_);
+    return side == 0 || side == other ? other : other == 0 ? side : 0;
   }
 
   void demand(const RingEdge& k, const Point& normal, double factor) {

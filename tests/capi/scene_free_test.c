@@ -242,6 +242,36 @@ static void holes_of_members(void) {
 }
 
 /* Layers and ignored ids choose the members, and ids that are not there do no harm. */
+/* What a member takes touches the border of what is free, in the middle of an edge of which one end
+ * is rounded. It stays a hole, or a bay where what is taken grows. */
+static void holes_that_touch_rounded_edges(void) {
+  gcv_polygon *room = POLYGON(19, 3, 0, 22, 0, 1), *moving = SQUARE(2);
+  gcv_polygon *member = POLYGON(0, 0, 2, 0, 2, 5, 1, 5, 1, 4, 0, 4);
+  gcv_scene *scene = scene_in(room);
+  const double points[4] = {5, 5, 1, 8};
+  const int32_t roundings[2] = {GCV_ROUND_NEAREST, GCV_ROUND_OUTWARD};
+  add(scene, member, 6, 5);
+  for (int k = 0; k < 2; ++k) {
+    gcv_options options = GCV_OPTIONS_INIT;
+    gcv_region *region = NULL;
+    int8_t locations[2];
+    double error = INFINITY;
+    size_t parts = 0;
+    options.rounding = roundings[k];
+    CHECK_OK(gcv_scene_free_region(scene, moving, NULL, NULL, &options, &region));
+    CHECK_OK(gcv_region_parts(region, NULL, 0, &parts));
+    CHECK_OK(gcv_region_error_bound(region, &error));
+    CHECK(k == 1 || (parts == 2 && error < 1e-13));
+    CHECK_OK(gcv_region_locate(region, points, 2, locations));
+    CHECK(locations[0] == GCV_OUTSIDE && locations[1] == GCV_INSIDE);
+    gcv_region_destroy(region);
+  }
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(room);
+  gcv_polygon_destroy(moving);
+  gcv_polygon_destroy(member);
+}
+
 static void queries(void) {
   static const char *const both =
       "outer 0/1 0/1, 9/1 0/1, 9/1 9/1, 0/1 9/1; hole 1/1 1/1, 1/1 4/1, 4/1 4/1, 4/1 1/1; "
@@ -335,6 +365,7 @@ int main(void) {
   members_across_the_container();
   exact_fits_between_members();
   holes_of_members();
+  holes_that_touch_rounded_edges();
   queries();
   sources();
   return check_failures != 0;
