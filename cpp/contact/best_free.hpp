@@ -10,6 +10,7 @@
 #include "cover.hpp"
 #include "exact_point.hpp"
 #include "exact_region.hpp"
+#include "gap.hpp"
 #include "nearest_edges.hpp"
 #include "vector.hpp"
 
@@ -22,6 +23,19 @@ struct FreePlace {
   Interval parameter;          // here
   std::optional<Place> place;  // likewise, unless it is a foot
 };
+
+// The point of a free place that a search among scaled operands has found. `from`: what a foot is
+// nearest to.
+inline ExactPoint unscaled_point(const Operands& operands, const FreePlace& found,
+                                 const Point& from = {0, 0}) {
+  const SumEdge line = coordinates(operands.a, operands.b, found.edge);
+  if (!found.place) {
+    return ExactPoint::of_crossing(line, perpendicular(line, {from, {0, 0}}));
+  }
+  return found.place->is_sum ? ExactPoint::of_sum(operands.point(found.place->sum))
+                             : ExactPoint::of_crossing(line, coordinates(operands.a, operands.b,
+                                                                         found.place->crossing));
+}
 
 // The best of the free places that covers show (sum/cover.hpp). `Best`, which derives from this,
 // says what is better: compare_exactly(p, q) is -1 if p is; and which of a fit's places count:

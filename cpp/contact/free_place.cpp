@@ -150,13 +150,6 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, const FreeB
   return best.found();
 }
 
-bool FreePlaceSearch::holds(const PairEdge& edge, const ExactPoint& point) const {
-  const SumEdge line = coordinates(operands_.a, operands_.b, edge);
-  return side(line, point, tally_) == 0 &&
-         side(perpendicular(line, line.origin), point, tally_) <= 0 &&
-         side(perpendicular(line, operands_.end(edge)), point, tally_) >= 0;
-}
-
 std::vector<WitnessSearch::Pair> FreePlaceSearch::pairs_near(const FreePlace& place) {
   WitnessSearch& search = cover_.search();
   const SumEdge edge = coordinates(operands_.a, operands_.b, place.edge);

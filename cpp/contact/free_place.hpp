@@ -68,8 +68,6 @@ class FreePlaceSearch {
       visit(i, j);
     }
   }
-  // Does a superset edge hold the point?
-  [[nodiscard]] bool holds(const PairEdge& edge, const ExactPoint& point) const;
 
  private:
   std::vector<WitnessSearch::Pair> pairs_near(const FreePlace& place);

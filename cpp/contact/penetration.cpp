@@ -26,6 +26,18 @@ double depth_of(const Operands& operands, const FreePlace& place, const Point& f
   return nearest_gap({line, {from, {0, 0}}, true}, tally);
 }
 
+namespace {
+
+// Does a superset edge hold the point?
+bool is_on(const PairEdge& edge, const Operands& operands, const ExactPoint& point, Tally& tally) {
+  const SumEdge line = coordinates(operands.a, operands.b, edge);
+  return side(line, point, tally) == 0 &&
+         side(perpendicular(line, line.origin), point, tally) <= 0 &&
+         side(perpendicular(line, operands.end(edge)), point, tally) >= 0;
+}
+
+}  // namespace
+
 OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const FreePlace& place,
                         std::span<const std::uint64_t> owners, Tally& tally) {
   using Key = std::tuple<std::uint64_t, ContactKind, Index, Index>;
@@ -33,7 +45,7 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
   const auto& of_b = operands.b.corners;
   std::optional<std::pair<Key, PairEdge>> first;
   const auto consider = [&](const PairEdge& edge, const Key& key) {
-    if ((!first || key < first->first) && search.holds(edge, place.point)) {
+    if ((!first || key < first->first) && is_on(edge, operands, place.point, tally)) {
       first = {key, edge};
     }
   };
@@ -82,6 +94,7 @@ WaysOut::WaysOut(const Polygon& a, const Polygon& reflected_b, const WantedParts
       reflected_b_(reflected_b),
       operands_{a.boundary(), reflected_b.boundary(),
                 merge_directions(a.boundary(), reflected_b.boundary(), tally)},
+      in_range_(operands_),
       wanted_(wanted),
       places_(places),
       trial_(operands_) {
@@ -127,10 +140,34 @@ const FreeBoundary* WaysOut::boundary(Task& task, std::uint64_t steps) const {
 void WaysOut::find_boundary(Task& task) const {
   Counts counts;
   ExactRegion region;
-  find_sum_parts(operands_,
+  find_sum_parts(searched(),
                  wanted_.holes ? walked_outer_ring(task, counts.predicates) : outer_ring_, wanted_,
                  task, counts, region);
-  boundary_.emplace(operands_, region, slack_of(operands_), counts.predicates);
+  boundary_.emplace(searched(), region, slack_of(searched()), counts.predicates);
+}
+
+FreePlace EscapeSearch::nearest(const Point& from, Task& task) {
+  std::optional<FreePlace> place;
+  const std::optional<Point> start = ways_.in_range().scaled(from);
+  if (!start) {
+    FreePlaceSearch search(ways_.operands(), ways_.wanted(), tally_);
+    place = search.nearest(from, infinity, ways_.outer_ring(), task, 0);
+  }
+  const FreeBoundary* boundary = start ? ways_.boundary(task) : nullptr;
+  for (std::uint64_t steps = first_long_search(ways_.operands()); start && !place; steps *= 4) {
+    place = boundary != nullptr
+                ? search_.nearest(*start, *boundary)
+                : search_.nearest(*start, infinity, ways_.outer_ring(), task, 0, steps);
+    ways_.add_search(search_.last_steps());
+    if (!place && search_.last_steps() <= steps) {
+      break;
+    }
+    boundary = place ? boundary : ways_.boundary(task, BoundaryTrial::most_for(steps));
+  }
+  if (!place) {
+    throw Error(Status::internal, "no way out of an overlap");
+  }
+  return *place;
 }
 
 Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
@@ -139,21 +176,11 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     const ExactPoint start = ExactPoint::of_sum({from, {0, 0}});
     return {0, {0, 0}, usable_position(placed.pair, start, std::nullopt, tally_), {}};
   }
-  std::optional<FreePlace> place;
-  const FreeBoundary* boundary = ways_.boundary(task);
-  for (std::uint64_t steps = first_long_search(ways_.operands()); !place; steps *= 4) {
-    place = boundary != nullptr
-                ? search_.nearest(from, *boundary)
-                : search_.nearest(from, infinity, ways_.outer_ring(), task, 0, steps);
-    ways_.add_search(search_.last_steps());
-    if (!place && search_.last_steps() <= steps) {
-      throw Error(Status::internal, "no way out of an overlap");
-    }
-    boundary = place ? boundary : ways_.boundary(task, BoundaryTrial::most_for(steps));
-  }
-  const OwnedContact found = contact_in(ways_.operands(), search_, *place, {}, tally_);
-  return {depth_of(ways_.operands(), *place, from, tally_), way_to(*place, from, tally_),
-          usable_position(placed.pair, place->point, found.edges, tally_), found.contact};
+  FreePlace place = nearest(from, task);
+  place.point = unscaled_point(ways_.operands(), place, from);
+  const OwnedContact found = contact_in(ways_.operands(), search_, place, {}, tally_);
+  return {depth_of(ways_.operands(), place, from, tally_), way_to(place, from, tally_),
+          usable_position(placed.pair, place.point, found.edges, tally_), found.contact};
 }
 
 }  // namespace gcv

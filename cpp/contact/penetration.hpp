@@ -15,6 +15,7 @@
 #include "exact_region.hpp"
 #include "free_boundary.hpp"
 #include "free_place.hpp"
+#include "operands_in_range.hpp"
 #include "usable_position.hpp"
 
 namespace gcv {
@@ -37,6 +38,9 @@ class WaysOut {
           std::size_t places, Task& task, Tally& tally);
 
   [[nodiscard]] const Operands& operands() const { return operands_; }
+  [[nodiscard]] const OperandsInRange& in_range() const { return in_range_; }
+  // What is searched, and where the boundary is that of: the operands in range.
+  [[nodiscard]] const Operands& searched() const { return in_range_.operands(); }
   [[nodiscard]] const WantedParts& wanted() const { return wanted_; }
   [[nodiscard]] const std::vector<RingVertex>& outer_ring() const { return outer_ring_; }
 
@@ -60,6 +64,7 @@ class WaysOut {
   const Polygon& a_;
   const Polygon& reflected_b_;
   Operands operands_;
+  OperandsInRange in_range_;
   WantedParts wanted_;
   std::vector<RingVertex> outer_ring_;  // without holes
   std::uint64_t places_;
@@ -93,12 +98,15 @@ OwnedContact contact_in(const Operands& operands, FreePlaceSearch& search, const
 class EscapeSearch {
  public:
   EscapeSearch(const WaysOut& ways, Tally& tally)
-      : ways_(ways), tally_(tally), search_(ways.operands(), ways.wanted(), tally) {}
+      : ways_(ways), tally_(tally), search_(ways.searched(), ways.wanted(), tally) {}
 
   // Of several ways out, the lexicographically smallest one. Throws Error: cancelled, internal.
   Escape find(const PlacedPair& placed, Task& task);
 
  private:
+  // The nearest free place, where the operands are in range.
+  FreePlace nearest(const Point& from, Task& task);
+
   const WaysOut& ways_;
   Tally& tally_;
   FreePlaceSearch search_;

@@ -37,6 +37,10 @@ inline Box sum_of(const Box& p, const Box& q) {
 // Its width and its height together.
 inline double extents_of(const Box& box) { return (box.x1 - box.x0) + (box.y1 - box.y0); }
 
+inline Box scaled(const Box& box, double scale) {
+  return {scale * box.x0, scale * box.y0, scale * box.x1, scale * box.y1};
+}
+
 // The box, moved outwards by `more` on each side.
 inline Box widened(const Box& box, double more) {
   return {box.x0 - more, box.y0 - more, box.x1 + more, box.y1 + more};

@@ -138,6 +138,8 @@ struct Boundary {
   // The complement: the solid is on the other side of all rings. The same numbers. If there are
   // several rings, each bounds a solid of its own.
   [[nodiscard]] Boundary complement() const;
+  // All coordinates times a power of two that loses none of their bits. The same numbers.
+  [[nodiscard]] Boundary scaled(double scale) const;
 
  private:
   std::shared_ptr<const Boundary> mirror_;  // the ring that this one reflects

@@ -8,6 +8,7 @@
 #include "directions.hpp"
 #include "free_place.hpp"
 #include "joined_solids.hpp"
+#include "operands_in_range.hpp"
 #include "placed_box.hpp"
 #include "units.hpp"
 #include "vector.hpp"
@@ -45,6 +46,29 @@ Box no_further_than(const Point& p, const Point& direction, const Box& box) {
   }
   return part;
 }
+
+// Of points, the furthest in a direction, the lexicographically smallest of several.
+class FurthestOfAll {
+ public:
+  FurthestOfAll(const Point& direction, Tally& tally) : direction_(direction), tally_(tally) {}
+
+  void take(const ExactPoint& point) {
+    if (!found_ || is_before(point, *found_)) {
+      found_ = point;
+    }
+  }
+  [[nodiscard]] const std::optional<ExactPoint>& found() const { return found_; }
+
+ private:
+  [[nodiscard]] bool is_before(const ExactPoint& p, const ExactPoint& q) const {
+    const int order = compare_along(direction_, p, q, tally_);
+    return order > 0 || (order == 0 && compare_lexicographically(p, q, tally_) < 0);
+  }
+
+  const Point direction_;
+  Tally& tally_;
+  std::optional<ExactPoint> found_;
+};
 
 }  // namespace
 
@@ -89,26 +113,61 @@ UsablePosition FreePositions::usable_along(const ExactPoint& place, const std::v
   return free.value_or(nearest);
 }
 
-FreePositions::Furthest FreePositions::furthest(FreePlaceSearch& search, const Point& direction,
-                                                const std::optional<ExactPoint>& first, Task& task,
-                                                Tally& tally) const {
+std::optional<UsablePosition> FreePositions::furthest_among(const Operands& operands,
+                                                            const Point& direction,
+                                                            const std::optional<ExactPoint>& first,
+                                                            Task& task, Tally& tally) const {
+  const OperandsInRange in_range(operands);
+  const Operands& searched = first ? operands : in_range.operands();
+  FreePlaceSearch search(searched, wanted_, tally);
+  FurthestOfAll furthest_of_all(direction, tally);
   bool are_all_shown = true;
   const auto is_shown = [&](const FreePlace& fit) {
-    const bool result = usable(fit.point, tally).relation != Relation::overlapping;
-    are_all_shown = are_all_shown && result;
+    const ExactPoint point = unscaled_point(operands, fit);
+    const bool result = usable(point, tally).relation != Relation::overlapping;
+    if (!result) {
+      furthest_of_all.take(point);
+      are_all_shown = false;
+    }
     return result;
   };
   const auto place = search.furthest(direction, {is_shown, false}, task, 1, first);
-  if (are_all_shown && query_.ignored.empty()) {
-    scene_.known_bests().keep(question(direction),
-                              {place ? std::optional(place->point) : std::nullopt});
+  if (place) {
+    furthest_of_all.take(unscaled_point(operands, *place));
   }
-  return {place, are_all_shown};
+  // Out of range, a search from the first place on is slower than one without.
+  if (query_.ignored.empty() && !(furthest_of_all.found() && in_range.are_scaled())) {
+    scene_.known_bests().keep(question(direction), {furthest_of_all.found()});
+  }
+  const auto position_of = [&](FreePlaceSearch& among, const FreePlace& found) {
+    return usable_along(unscaled_point(operands, found), among.ways_off(found),
+                        {-direction.x, -direction.y}, tally);
+  };
+  if (place) {
+    const UsablePosition position = position_of(search, *place);
+    if (position.relation != Relation::overlapping) {
+      return position;
+    }
+    // So are corners, where that of what is free is narrower than the gaps between doubles.
+    FreePlaceSearch near(searched, wanted_, tally);
+    const auto is_shown_near = [&](const FreePlace& other) {
+      return position_of(near, other).relation != Relation::overlapping;
+    };
+    const auto shown = search.furthest(direction, {is_shown_near, true}, task, 1, first);
+    return shown ? position_of(near, *shown) : position;
+  }
+  if (are_all_shown) {
+    return std::nullopt;
+  }
+  // Where nothing else is free, fits count.
+  const auto is_any = [](const FreePlace& /*fit*/) { return true; };
+  const auto fit = search.furthest(direction, {is_any, false}, task, 1, first);
+  return fit ? std::optional(usable(unscaled_point(operands, *fit), tally)) : std::nullopt;
 }
 
-FreePositions::Furthest FreePositions::furthest_from(const ExactPoint& first,
-                                                     const Point& direction, Task& task,
-                                                     Tally& tally) const {
+std::optional<UsablePosition> FreePositions::furthest_from(const ExactPoint& first,
+                                                           const Point& direction, Task& task,
+                                                           Tally& tally) const {
   const Box positions =
       no_further_than(nearest_point(first, {0, 0}, tally), unit_vector(direction),
                       sum_outwards(scene_.container()->boundary.bounds, reflected_.bounds));
@@ -121,57 +180,20 @@ FreePositions::Furthest FreePositions::furthest_from(const ExactPoint& first,
   Operands operands{*solids.boundary, reflected_,
                     merge_directions(*solids.boundary, reflected_, tally)};
   operands.focus = widened(operands.relative_box(positions), slack_of(operands));
-  FreePlaceSearch search(operands, wanted_, tally);
-  return furthest(search, direction, first, task, tally);
+  return furthest_among(operands, direction, first, task, tally);
 }
 
 std::optional<UsablePosition> FreePositions::furthest(const Point& direction, Task& task,
                                                       Tally& tally) const {
   const auto known =
       query_.ignored.empty() ? scene_.known_bests().find(question(direction)) : std::nullopt;
-  if (known && !known->place) {
-    return std::nullopt;
-  }
-  const std::optional<ExactPoint> first = known ? known->place : std::nullopt;
-  if (first) {
-    const auto [place, are_all_shown] = furthest_from(*first, direction, task, tally);
-    if (!place && are_all_shown) {
-      return std::nullopt;
-    }
-    const std::optional<UsablePosition> position =
-        place ? std::optional(usable(place->point, tally)) : std::nullopt;
-    if (position && position->relation != Relation::overlapping) {
-      return position;
-    }
+  if (known) {
+    return known->place ? furthest_from(*known->place, direction, task, tally) : std::nullopt;
   }
   const std::shared_ptr<const JoinedSolids> solids = join_all_solids(scene_, query_, reflected_);
   const Operands operands{*solids->boundary, reflected_,
                           merge_directions(*solids->boundary, reflected_, tally)};
-  const auto position_of = [&](FreePlaceSearch& search, const FreePlace& place) {
-    return usable_along(place.point, search.ways_off(place), {-direction.x, -direction.y}, tally);
-  };
-  FreePlaceSearch search(operands, wanted_, tally);
-  const auto [place, are_all_shown] = furthest(search, direction, first, task, tally);
-  if (place) {
-    const UsablePosition position = position_of(search, *place);
-    if (position.relation != Relation::overlapping) {
-      return position;
-    }
-    // So are corners, where that of what is free is narrower than the gaps between doubles.
-    FreePlaceSearch near(operands, wanted_, tally);
-    const auto is_shown = [&](const FreePlace& other) {
-      return position_of(near, other).relation != Relation::overlapping;
-    };
-    const auto shown = search.furthest(direction, {is_shown, true}, task, 1, first);
-    return shown ? position_of(near, *shown) : position;
-  }
-  if (are_all_shown) {
-    return std::nullopt;
-  }
-  // Where nothing else is free, fits count.
-  const auto is_any = [](const FreePlace& /*fit*/) { return true; };
-  const auto fit = search.furthest(direction, {is_any, false}, task, 1, first);
-  return fit ? std::optional(usable(fit->point, tally)) : std::nullopt;
+  return furthest_among(operands, direction, std::nullopt, task, tally);
 }
 
 }  // namespace gcv

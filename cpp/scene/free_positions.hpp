@@ -46,18 +46,16 @@ class FreePositions {
                                                        Tally& tally) const;
 
  private:
-  struct Furthest {
-    std::optional<FreePlace> place;
-    bool are_all_shown;  // by doubles: all fits that are further
-  };
-  // The furthest place, less fits that no doubles show. None before `first` is free, if that is
-  // given. Keeps what it finds for the next question.
-  [[nodiscard]] Furthest furthest(FreePlaceSearch& search, const Point& direction,
-                                  const std::optional<ExactPoint>& first, Task& task,
-                                  Tally& tally) const;
-  // The same, among the solids that are not too far behind the first.
-  [[nodiscard]] Furthest furthest_from(const ExactPoint& first, const Point& direction, Task& task,
-                                       Tally& tally) const;
+  // The furthest position among solids, which are operand A. None before `first` is free, if that
+  // is given. Keeps what it finds for the next question.
+  [[nodiscard]] std::optional<UsablePosition> furthest_among(const Operands& operands,
+                                                             const Point& direction,
+                                                             const std::optional<ExactPoint>& first,
+                                                             Task& task, Tally& tally) const;
+  // The same among the solids that are not too far behind the first.
+  [[nodiscard]] std::optional<UsablePosition> furthest_from(const ExactPoint& first,
+                                                            const Point& direction, Task& task,
+                                                            Tally& tally) const;
   [[nodiscard]] KnownBests::Question question(const Point& direction) const {
     return {moving_, direction, query_.layers, wanted_.fits};
   }

@@ -31,7 +31,7 @@ class KnownBests {
     std::uint32_t layers;
     bool with_fits;
   };
-  // The furthest place that was free, or that none was.
+  // The furthest place that was free, whether doubles show it or not; or that none was.
   struct Best {
     std::optional<ExactPoint> place;
   };

@@ -15,6 +15,7 @@
 #include "free_boundary.hpp"
 #include "free_place.hpp"
 #include "joined_solids.hpp"
+#include "operands_in_range.hpp"
 #include "placed_box.hpp"
 
 namespace gcv {
@@ -34,6 +35,7 @@ struct SceneEscapeSearch::Neighbourhood {
   Slots slots;  // in order
   JoinedSolids solids;
   Operands operands;
+  std::optional<OperandsInRange> in_range;  // these are searched
   std::optional<FreePlaceSearch> search;
   std::optional<FreeBoundary> boundary;  // of what is free, if it is known
 
@@ -49,12 +51,31 @@ struct SceneEscapeSearch::Neighbourhood {
   }
   // Nothing outside of a focus matters to a search. One without is of use everywhere.
   void begin(const WantedParts& wanted, const std::optional<Box>& focus, Tally& tally) {
+    search.reset();
+    boundary.reset();
     operands.focus = focus;
-    search.emplace(operands, wanted, tally);
+    in_range.emplace(operands);
+    search.emplace(in_range->operands(), wanted, tally);
   }
   // The nearest free place, if it is within a distance. `places`: how many more may be asked for.
   std::optional<FreePlace> nearest(const Point& position, double distance, std::uint64_t places,
                                    const WantedParts& wanted, Task& task, Tally& tally) {
+    const std::optional<Point> start = in_range->scaled(position);
+    const double most = start ? distance * in_range->scale() : distance;
+    std::optional<FreePlace> place =
+        start ? nearest_scaled(*start, most, places, wanted, task, tally)
+              : FreePlaceSearch(operands, wanted, tally).nearest(position, most, {}, task, 1);
+    if (!place || (most < infinity && !(place->distance.hi <= most))) {
+      return std::nullopt;
+    }
+    place->point = unscaled_point(operands, *place, position);
+    return place;
+  }
+
+ private:
+  std::optional<FreePlace> nearest_scaled(const Point& position, double distance,
+                                          std::uint64_t places, const WantedParts& wanted,
+                                          Task& task, Tally& tally) {
     if (!operands.focus) {
       find_boundary(wanted, steps_to_spend(places), task);
     }
@@ -72,8 +93,6 @@ struct SceneEscapeSearch::Neighbourhood {
     }
     return search->nearest(position, *boundary);
   }
-
- private:
   // Half of those that the next searches take, as many as there were at most: they take about twice
   // as long.
   [[nodiscard]] std::uint64_t steps_to_spend(std::uint64_t places) const {
@@ -87,8 +106,9 @@ struct SceneEscapeSearch::Neighbourhood {
     trial_.run(steps, task, [&](Task& own) {
       Counts counts;
       ExactRegion region;
-      find_free_boundary(operands, wanted, own, counts, region);
-      boundary.emplace(operands, region, slack_of(operands), counts.predicates);
+      const Operands& searched = in_range->operands();
+      find_free_boundary(searched, wanted, own, counts, region);
+      boundary.emplace(searched, region, slack_of(searched), counts.predicates);
     });
   }
 
@@ -158,7 +178,7 @@ SceneEscape SceneEscapeSearch::find(const Point& position, Task& task) {
     Neighbourhood& found = neighbourhood(number, near, position, distance);
     const std::optional<FreePlace> place =
         found.nearest(position, distance, places_ + 1, positions_.wanted(), task, tally_);
-    if (place && (is_all || place->distance.hi <= distance)) {
+    if (place) {
       const OwnedContact touched =
           contact_in(found.operands, *found.search, *place, found.solids.owners, tally_);
       return {touched.owner,

@@ -13,6 +13,7 @@
 #include "free_rings.hpp"
 #include "half_plane.hpp"
 #include "known_runs.hpp"
+#include "operands_in_range.hpp"
 #include "search.hpp"
 #include "tree_product.hpp"
 #include "turns.hpp"
@@ -196,14 +197,16 @@ void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region) {
   region.vertices = std::move(outer);
 }
 
-void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
+void find_sum_parts(const Operands& given, const std::vector<RingVertex>& outer,
                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   add_outer_ring(outer, region);
   const bool has_more = wanted.holes || wanted.fits;
-  if (!has_more || (operands.a.is_convex && operands.b.is_convex)) {
+  if (!has_more || (given.a.is_convex && given.b.is_convex)) {
     return;
   }
+  const OperandsInRange in_range(given);
+  const Operands& operands = in_range.operands();
   Finder finder(operands, task, tally);
   finder.add_outer(outer);
   EdgeCover cover(operands, tally);
@@ -224,8 +227,10 @@ void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& out
   }
 }
 
-void find_free_parts(const Operands& operands, const WindowBorder* border,
-                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
+void find_free_parts(const Operands& given, const WindowBorder* border, const WantedParts& wanted,
+                     Task& task, Counts& counts, ExactRegion& region) {
+  const OperandsInRange in_range(given);
+  const Operands& operands = in_range.operands();
   Tally& tally = counts.predicates;
   Finder finder(operands, task, tally);
   EdgeCover cover(operands, tally, border);
@@ -247,8 +252,10 @@ void find_free_parts(const Operands& operands, const WindowBorder* border,
   }
 }
 
-void find_free_boundary(const Operands& operands, const WantedParts& wanted, Task& task,
+void find_free_boundary(const Operands& given, const WantedParts& wanted, Task& task,
                         Counts& counts, ExactRegion& region) {
+  const OperandsInRange in_range(given);
+  const Operands& operands = in_range.operands();
   Finder finder(operands, task, counts.predicates);
   EdgeCover cover(operands, counts.predicates);
   walk_half_plane(operands, cover, finder, task, counts);

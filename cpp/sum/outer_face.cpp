@@ -16,6 +16,7 @@
 #include "convolution_cycle.hpp"
 #include "cycle_search.hpp"
 #include "hull.hpp"
+#include "operands_in_range.hpp"
 #include "parallel.hpp"
 #include "search.hpp"
 #include "walker.hpp"
@@ -65,12 +66,14 @@ Walk walk_outer_face(const Boundary& a, const Boundary& b, Task& task, Tally& ta
   if (a.is_convex && b.is_convex) {
     return merge_convex(a, b, tally);
   }
-  const Operands unranked{a, b, {}};
+  const Operands given{a, b, {}};
+  const OperandsInRange in_range(given);
+  const Operands& unranked = in_range.operands();
   const double slack = slack_of(unranked);
   if (const auto cycle = ConvolutionCycle::find(unranked, tally)) {
     return walk_arcs(unranked, slack, task, tally, [&] { return CycleSearch(unranked, *cycle); });
   }
-  const Operands operands{a, b, merge_directions(a, b, tally)};
+  const Operands operands{unranked.a, unranked.b, merge_directions(unranked.a, unranked.b, tally)};
   const SearchableSuperset superset(operands);
   Walk walk = walk_arcs(operands, slack, task, tally, [&] { return Search(superset); });
   walk.chains_are_repeated = superset.product() && superset.product()->has_equal_chains();

@@ -549,6 +549,24 @@ void layout_of_keys() {
       });
 }
 
+// Squares of such extents are beyond the largest double.
+void huge_stars() {
+  constexpr double size = 0x1p600;
+  Random random(10);
+  const Polygon star = scaled(spiky_star(random, 60), size);
+  const Polygon turned = mapped(star, slanting);
+  gcv_polygon* a = nullptr;
+  gcv_polygon* b = nullptr;
+  require(gcv_polygon_create(star.front().data(), star.size(), 0, &a));
+  require(gcv_polygon_create(turned.front().data(), turned.size(), 0, &b));
+  add_region(a, b);
+  const std::array<double, 2> position{0, 0};
+  gcv_escape way;
+  require(gcv_penetration(a, b, position.data(), 1, nullptr, &way));
+  gcv_polygon_destroy(b);
+  gcv_polygon_destroy(a);
+}
+
 // A coast in a hole of its own shape: all superset edges of the hole meet in one place.
 void region_of_fit() {
   Random random(9);
@@ -570,6 +588,7 @@ void region_of_fit() {
 const std::map<std::string, std::function<void()>> other_cases{
     {"distance_beside_comb", distance_beside_comb},
     {"distance_in_pocket", distance_in_pocket},
+    {"huge_stars", huge_stars},
     {"layout_of_keys", layout_of_keys},
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
