@@ -15,10 +15,13 @@ namespace gcv {
 namespace {
 
 // The pairs of an edge and a vertex of two polygons that are apart which may be nearest to each
-// other. In doubles.
+// other, if they are no further than a distance. In doubles.
 class NearestPairs {
  public:
-  explicit NearestPairs(const PlacedPair& placed) : relative_(placed) { relative_.descend(*this); }
+  explicit NearestPairs(const PlacedPair& placed, double distance = infinity)
+      : relative_(placed), limit_(relative_.limit_of_squares(relative_.scale() * distance)) {
+    relative_.descend(*this);
+  }
 
   // The nearest one first.
   template <class Visit>
@@ -47,14 +50,12 @@ class NearestPairs {
     return false;
   }
 
-  // Calls visit(name) for each of them: the vertex may be nearest to an end of the edge.
-  template <class Visit>
-  void for_each(Visit visit) const {
-    for (const Candidate& candidate : candidates_) {
-      if (!(candidate.square > limit_)) {
-        visit(candidate.name);
-      }
-    }
+  // Is is(name) true for one of them? The vertex may be nearest to an end of the edge.
+  template <class Is>
+  bool any(Is is) const {
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
+      return !(candidate.square > limit_) && is(candidate.name);
+    });
   }
 
  private:
@@ -87,7 +88,7 @@ class NearestPairs {
 
   const RelativePair relative_;
   double least_ = infinity;
-  double limit_ = infinity;
+  double limit_;
   boost::container::small_vector<Candidate, 16> candidates_;
 };
 
@@ -107,18 +108,19 @@ ContactName features(const PlacedPair& placed, const ContactName& name, Nearest 
 
 NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally) {
   std::optional<NearestFeatures> best;
-  NearestPairs(placed).for_each([&](const ContactName& candidate) {
+  NearestPairs(placed).any([&](const ContactName& candidate) {
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
     const Nearest nearest = nearest_on(pair, tally);
     const ContactName name = features(placed, candidate, nearest);
     if (best && best->name == name) {
-      return;
+      return false;
     }
     const Gap gap = gap_between(pair, nearest);
     const int order = best ? compare_gaps(gap, best->gap, tally) : -1;
     if (order < 0 || (order == 0 && order_of(placed, name) < order_of(placed, best->name))) {
       best = {name, gap};
     }
+    return false;
   });
   assert(best);
   return *best;
@@ -139,9 +141,12 @@ std::optional<Relation> relation_within(const PlacedPair& placed, double distanc
   if (relation != Relation::apart) {
     return relation;
   }
-  const bool is_within =
-      distance > 0 && compare_gap(nearest_features(placed, tally).gap, distance, tally) <= 0;
-  return is_within ? std::optional(relation) : std::nullopt;
+  const auto is_within = [&](const ContactName& candidate) {
+    const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
+    return compare_gap(gap_between(pair, nearest_on(pair, tally)), distance, tally) <= 0;
+  };
+  return distance > 0 && NearestPairs(placed, distance).any(is_within) ? std::optional(relation)
+                                                                       : std::nullopt;
 }
 
 }  // namespace gcv

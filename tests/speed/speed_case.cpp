@@ -473,6 +473,23 @@ void pairs_among_holes() {
                    gcv_pair_list_destroy(pairs);
                  });
 }
+// Parallel bars that slant: all of their boxes overlap.
+void pairs_of_bars() {
+  constexpr int count = 300;
+  const Polygon bar = mapped({{0, 0}, {1000, 0}, {1000, 1}, {0, 1}}, slanting);
+  Polygon positions;
+  for (int k = 0; k < count; ++k) {
+    positions.push_back({0, 3.0 * k});
+  }
+  positions = mapped(positions, slanting);
+  const Polygon box{{-1e5, -1e5}, {1e5, -1e5}, {1e5, 1e5}, {-1e5, 1e5}};
+  with_container(box, {4}, bar, positions,
+                 [](const gcv_scene* scene, const gcv_polygon* /*moving*/) {
+                   gcv_pair_list* pairs = nullptr;
+                   require(gcv_scene_pairs(scene, nullptr, 1, nullptr, nullptr, &pairs));
+                   gcv_pair_list_destroy(pairs);
+                 });
+}
 // A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
 void distance_in_pocket() {
   constexpr int teeth = 600;
@@ -597,6 +614,7 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"scene_free_region_of_plate", free_region_of_plate},
     {"scene_free_region_of_row", free_region_of_row},
     {"scene_pairs_among_holes", pairs_among_holes},
+    {"scene_pairs_of_bars", pairs_of_bars},
     {"scene_penetration", ways_out_of_plate}};
 
 }  // namespace
