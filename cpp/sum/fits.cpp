@@ -80,8 +80,7 @@ void Fits::finish(const std::vector<RingVertex>& corners) {
                   [&](const auto& p, const auto& q) { return order_.compare(p, q) == 0; }),
       points_.end());
   if (!segments_.empty()) {
-    join();
-    cut(corners);
+    cut(join(), corners);
   }
 }
 
@@ -116,22 +115,25 @@ void Fits::drop_points_on(const std::vector<RingVertex>& vertices,
   });
 }
 
-void Fits::join() {
+// Where segments overlap or follow each other, they are one.
+std::vector<Fits::Joined> Fits::join() {
   const LineOrder line_order(operands_, order_, tally_);
   std::sort(segments_.begin(), segments_.end(), line_order);
-  std::vector<ExactSegment> joined;
-  for (const ExactSegment& segment : segments_) {
-    if (joined.empty() || !line_order.are_on_one_line(joined.back(), segment) ||
-        order_.compare(joined.back().ends[1], segment.ends[0]) < 0) {
-      joined.push_back(segment);
-    } else if (order_.compare(joined.back().ends[1], segment.ends[1]) < 0) {
-      joined.back().ends[1] = segment.ends[1];
+  std::vector<Joined> joined;
+  for (std::size_t k = 0; k < segments_.size(); ++k) {
+    const ExactSegment& segment = segments_[k];
+    if (joined.empty() || !line_order.are_on_one_line(segments_[joined.back().first], segment) ||
+        order_.compare(joined.back().end, segment.ends[0]) < 0) {
+      joined.push_back({k, segment.ends[1]});
+    } else if (order_.compare(joined.back().end, segment.ends[1]) < 0) {
+      joined.back().end = segment.ends[1];
     }
   }
-  segments_ = std::move(joined);
+  return joined;
 }
 
-void Fits::cut(const std::vector<RingVertex>& corners) {
+// Each piece has the edge of the first segment that goes on where it begins.
+void Fits::cut(const std::vector<Joined>& joined, const std::vector<RingVertex>& corners) {
   using Placed = ExactOrder::Placed;
   const auto is_before_in_order = [&](const Placed& p, const Placed& q) {
     return order_.compare(p, q) < 0;
@@ -143,19 +145,26 @@ void Fits::cut(const std::vector<RingVertex>& corners) {
   }
   std::sort(sorted.begin(), sorted.end(), is_before_in_order);
   std::vector<ExactSegment> pieces;
-  for (const auto& [edge, ends] : segments_) {
-    const auto& [from, to] = ends;
-    const SumEdge line = coordinates(operands_.a, operands_.b, edge);
+  for (const auto& [first, to] : joined) {
+    const Placed& from = segments_[first].ends[0];
+    const SumEdge line = coordinates(operands_.a, operands_.b, segments_[first].edge);
     Placed begin = from;
+    std::size_t segment = first;
+    const auto add_piece = [&](const Placed& end) {
+      while (!is_before_in_order(begin, segments_[segment].ends[1])) {
+        ++segment;
+      }
+      pieces.push_back({segments_[segment].edge, {begin, end}});
+      begin = end;
+    };
     for (auto corner = std::upper_bound(sorted.begin(), sorted.end(), from, is_before_in_order);
          corner != sorted.end() && is_before_in_order(*corner, to); ++corner) {
       if (side_of_vertex(operands_.a, operands_.b, line, corner->vertex, tally_) == 0 &&
           is_before_in_order(begin, *corner)) {
-        pieces.push_back({edge, {begin, *corner}});
-        begin = *corner;
+        add_piece(*corner);
       }
     }
-    pieces.push_back({edge, {begin, to}});
+    add_piece(to);
   }
   std::sort(pieces.begin(), pieces.end(),
             [&](const auto& p, const auto& q) { return is_before(order_, p, q); });

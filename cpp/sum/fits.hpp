@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -52,8 +53,13 @@ class Fits {
   // Does the point lie on the closed part of the edge's line?
   [[nodiscard]] bool is_on(const EdgeName& edge, const ExactOrder::Placed& from,
                            const ExactOrder::Placed& to, const ExactOrder::Placed& point) const;
-  void join();
-  void cut(const std::vector<RingVertex>& corners);
+  // Segments that are one, from the first of these on.
+  struct Joined {
+    std::size_t first;
+    ExactOrder::Placed end;
+  };
+  std::vector<Joined> join();
+  void cut(const std::vector<Joined>& joined, const std::vector<RingVertex>& corners);
 
   const Operands& operands_;
   Tally& tally_;

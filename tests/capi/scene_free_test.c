@@ -358,6 +358,39 @@ static void sources(void) {
   gcv_polygon_destroy(unit);
 }
 
+/* A fit along a line, of several members one after the other, is cut where it meets the corners of
+ * rings. Each piece is named by a member that makes it. */
+static void owners_of_cut_segments(void) {
+  gcv_polygon *room = POLYGON(9, -7, 14, 3, 2, 9), *moving = POLYGON(-5, -1, -3, -2, -4, 1);
+  gcv_polygon *members[3] = {POLYGON(7, -1, 9, -2, 10, 0), POLYGON(5, 3, 9, 1, 6, 0),
+                             POLYGON(10, 0, 11, 2, 9, 3)};
+  const double at[3][2] = {{-2, 1}, {-2, 3}, {0, 0}};
+  double vertices[64];
+  uint64_t owners[32];
+  size_t count = 0, k, found = 0;
+  gcv_scene *scene = scene_in(room);
+  gcv_region *region;
+  for (k = 0; k < 3; ++k) {
+    add(scene, members[k], at[k][0], at[k][1]);
+    gcv_polygon_destroy(members[k]);
+  }
+  region = free_region(scene, moving, NULL, NULL);
+  CHECK_OK(gcv_region_vertices(region, vertices, 32, &count));
+  CHECK_OK(gcv_region_edge_owners(region, owners, 32, &count));
+  for (k = 0; k + 1 < count; ++k) {
+    const double *const p = vertices + 2 * k;
+    if (p[0] == 12 && p[1] == 5 && p[2] == 16 && p[3] == 3) {
+      ++found;
+      CHECK(owners[k] == 4);
+    }
+  }
+  CHECK(found == 1);
+  gcv_region_destroy(region);
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(room);
+  gcv_polygon_destroy(moving);
+}
+
 int main(void) {
   containers_alone();
   members_in_a_room();
@@ -368,5 +401,6 @@ int main(void) {
   holes_that_touch_rounded_edges();
   queries();
   sources();
+  owners_of_cut_segments();
   return check_failures != 0;
 }
