@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
 // Each edge of a ring of the region names the edges and vertices of A that it comes from. The
-// distance of an edge of A from that segment is largest at one of its ends. An edge that nothing
-// comes from has neighbours that are known: its points are no further away than along the boundary
-// to these.
+// distance of an edge of A from that segment is largest at one of its ends. Of several segments,
+// each is the nearest one for a part of the edge, up to where the next one begins. An edge that
+// nothing comes from has neighbours that are known: its points are no further away than along the
+// boundary to these.
 #include "region_distance.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "box.hpp"
@@ -42,6 +45,7 @@ class Distances {
   }
 
   [[nodiscard]] double largest() {
+    bound_by_several();
     double result = 0;
     for (Index ring = 0; ring < a_.layout.ring_count(); ++ring) {
       result = std::max(result, largest_of(a_.layout.begin(ring), a_.layout.end(ring)));
@@ -66,9 +70,71 @@ class Distances {
       const Index next = a_.next(i);
       const double at_end = distance(next);
       of_edges_[i] = std::min(of_edges_[i], std::max(at_start, at_end));
+      segments_.push_back({i, from, to});
       at_start = at_end;
       i = next;
     }
+  }
+
+  // A segment that comes from an edge of A.
+  struct Segment {
+    Index edge;
+    Point from;
+    Point to;
+  };
+
+  void bound_by_several() {
+    std::stable_sort(segments_.begin(), segments_.end(),
+                     [](const Segment& p, const Segment& q) { return p.edge < q.edge; });
+    for (auto first = segments_.begin(); first != segments_.end();) {
+      const auto last = std::find_if(first, segments_.end(),
+                                     [&](const Segment& s) { return s.edge != first->edge; });
+      if (last - first > 1) {
+        double& bound = of_edges_[first->edge];
+        bound = std::min(bound, distance_of_parts({first, last}));
+      }
+      first = last;
+    }
+  }
+
+  // Any point of the edge may end a part. So it does not matter how the segments lie.
+  [[nodiscard]] double distance_of_parts(std::span<const Segment> segments) const {
+    const Index edge = segments.front().edge;
+    const Point& p = a_.vertices[edge];
+    const Point& q = a_.vertices[a_.next(edge)];
+    const double dx = q.x - p.x;
+    const double dy = q.y - p.y;
+    const double size = length_of(dx, dy);
+    // Which part of the edge lies before it.
+    const auto along = [&](const Point& x) {
+      return ((x.x - p.x) / size) * (dx / size) + ((x.y - p.y) / size) * (dy / size);
+    };
+    std::vector<std::pair<double, const Segment*>> by_start;
+    for (const Segment& segment : segments) {
+      by_start.emplace_back(along(segment.from), &segment);
+      if (!std::isfinite(by_start.back().first) || !std::isfinite(along(segment.to))) {
+        return infinity;
+      }
+    }
+    std::stable_sort(by_start.begin(), by_start.end(),
+                     [](const auto& s, const auto& t) { return s.first < t.first; });
+    const double error = 8 * unit_;  // of a computed point on the edge
+    double bound = 0;
+    Point start = p;
+    for (std::size_t k = 0; k < by_start.size(); ++k) {
+      const Segment& segment = *by_start[k].second;
+      const double t = std::clamp(along(segment.to), 0.0, 1.0);
+      const Point end = k + 1 == by_start.size() ? q : Point{p.x + t * dx, p.y + t * dy};
+      for (const Point& x : {start, end}) {
+        const double distance = distance_bound(x, segment.from, segment.to, unit_);
+        if (!(distance < infinity)) {
+          return infinity;
+        }
+        bound = std::max(bound, distance);
+      }
+      start = end;
+    }
+    return sum_bound(bound, error);
   }
 
   [[nodiscard]] double length(Index edge) const {
@@ -107,6 +173,7 @@ class Distances {
   double unit_;
   std::vector<double> of_vertices_;
   std::vector<double> of_edges_;
+  std::vector<Segment> segments_;
 };
 
 }  // namespace
