@@ -98,11 +98,11 @@ class Places(Questions):
         Which position is the furthest is decided exactly. It is returned in floats, and the
         polygon overlaps nothing there: within 2 ulps of the exact one where such a position
         is free, otherwise the nearest one found on the way into what is free around, within
-        2^20 ulps. An exact fit that no floats within 2 ulps show, as between slanted edges,
-        or between decimal fractions, is passed over, and so is a corner where what is free
-        is narrower than the gaps between floats, for the corner or fit that is furthest else.
-        Where nothing else is free, it is the one nearest to the exact position, where
-        relation tells OVERLAPPING.
+        2^20 ulps of the larger coordinate. An exact fit that no floats within 2 ulps show, as
+        between slanted edges, or between decimal fractions, is passed over, and so is a corner
+        where what is free is narrower than the gaps between floats, for the corner or fit
+        that is furthest else. Where nothing else is free, it is the one nearest to the exact
+        position, where relation tells OVERLAPPING.
 
         Takes as long as the superset edges that reach further; less if one with the same
         vertices was asked for before, and members were only added since. The other arguments

@@ -1661,11 +1661,11 @@ gcv_scene_free_region(const gcv_scene *scene, const gcv_polygon *moving, const d
  *
  * The position is in doubles, and the polygon overlaps nothing there. It is within 2 units in the
  * last place of the exact one where such a position is free. Else it is the nearest one that was
- * found on the way into what is free around, within 2^20 such units. An exact fit that no doubles
- * within 2 units show, as between slanted edges, or between decimal fractions, is passed over, and
- * so is a corner where what is free is narrower than the gaps between doubles, for the corner or
- * fit that is furthest else. Where nothing else is free, out has the doubles nearest to the exact
- * position, and gcv_scene_relation tells GCV_OVERLAPPING there.
+ * found on the way into what is free around, within 2^20 units of the larger coordinate. An exact
+ * fit that no doubles within 2 units show, as between slanted edges, or between decimal fractions,
+ * is passed over, and so is a corner where what is free is narrower than the gaps between doubles,
+ * for the corner or fit that is furthest else. Where nothing else is free, out has the doubles
+ * nearest to the exact position, and gcv_scene_relation tells GCV_OVERLAPPING there.
  *
  * @param moving     the polygon.
  * @param direction  finite, not 0 0.
