@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 #include "box.hpp"
@@ -70,7 +70,7 @@ class Distances {
       const Index next = a_.next(i);
       const double at_end = distance(next);
       of_edges_[i] = std::min(of_edges_[i], std::max(at_start, at_end));
-      segments_.push_back({i, from, to});
+      keep(i, from, to);
       at_start = at_end;
       i = next;
     }
@@ -79,60 +79,64 @@ class Distances {
   // A segment that comes from an edge of A.
   struct Segment {
     Index edge;
+    double start;  // which part of the edge lies before the segment
+    double end;
     Point from;
     Point to;
   };
 
-  void bound_by_several() {
-    std::stable_sort(segments_.begin(), segments_.end(),
-                     [](const Segment& p, const Segment& q) { return p.edge < q.edge; });
-    for (auto first = segments_.begin(); first != segments_.end();) {
-      const auto last = std::find_if(first, segments_.end(),
-                                     [&](const Segment& s) { return s.edge != first->edge; });
-      if (last - first > 1) {
-        double& bound = of_edges_[first->edge];
-        bound = std::min(bound, distance_of_parts({first, last}));
-      }
-      first = last;
-    }
-  }
-
-  // Any point of the edge may end a part. So it does not matter how the segments lie.
-  [[nodiscard]] double distance_of_parts(std::span<const Segment> segments) const {
-    const Index edge = segments.front().edge;
+  void keep(Index edge, const Point& from, const Point& to) {
     const Point& p = a_.vertices[edge];
     const Point& q = a_.vertices[a_.next(edge)];
     const double dx = q.x - p.x;
     const double dy = q.y - p.y;
     const double size = length_of(dx, dy);
-    // Which part of the edge lies before it.
     const auto along = [&](const Point& x) {
       return ((x.x - p.x) / size) * (dx / size) + ((x.y - p.y) / size) * (dy / size);
     };
-    std::vector<std::pair<double, const Segment*>> by_start;
-    for (const Segment& segment : segments) {
-      by_start.emplace_back(along(segment.from), &segment);
-      if (!std::isfinite(by_start.back().first) || !std::isfinite(along(segment.to))) {
-        return infinity;
-      }
+    const Segment segment{edge, along(from), along(to), from, to};
+    if (std::isfinite(segment.start) && std::isfinite(segment.end)) {
+      segments_.push_back(segment);
     }
-    std::stable_sort(by_start.begin(), by_start.end(),
-                     [](const auto& s, const auto& t) { return s.first < t.first; });
+  }
+
+  void bound_by_several() {
+    std::sort(segments_.begin(), segments_.end(), [](const Segment& s, const Segment& t) {
+      return std::tie(s.edge, s.start, s.end, s.from.x, s.from.y, s.to.x, s.to.y) <
+             std::tie(t.edge, t.start, t.end, t.from.x, t.from.y, t.to.x, t.to.y);
+    });
+    for (std::size_t first = 0; first < segments_.size();) {
+      const Index edge = segments_[first].edge;
+      std::size_t end = first;
+      while (end < segments_.size() && segments_[end].edge == edge) {
+        ++end;
+      }
+      if (end - first > 1) {
+        of_edges_[edge] = std::min(of_edges_[edge], distance_of_parts(first, end));
+      }
+      first = end;
+    }
+  }
+
+  // Any point of the edge may end a part. So it does not matter how the segments lie.
+  [[nodiscard]] double distance_of_parts(std::size_t first, std::size_t end) const {
+    const Point& p = a_.vertices[segments_[first].edge];
+    const Point& q = a_.vertices[a_.next(segments_[first].edge)];
     const double error = 8 * unit_;  // of a computed point on the edge
     double bound = 0;
     Point start = p;
-    for (std::size_t k = 0; k < by_start.size(); ++k) {
-      const Segment& segment = *by_start[k].second;
-      const double t = std::clamp(along(segment.to), 0.0, 1.0);
-      const Point end = k + 1 == by_start.size() ? q : Point{p.x + t * dx, p.y + t * dy};
-      for (const Point& x : {start, end}) {
+    for (std::size_t k = first; k < end; ++k) {
+      const Segment& segment = segments_[k];
+      const double t = std::clamp(segment.end, 0.0, 1.0);
+      const Point last = k + 1 == end ? q : Point{p.x + t * (q.x - p.x), p.y + t * (q.y - p.y)};
+      for (const Point& x : {start, last}) {
         const double distance = distance_bound(x, segment.from, segment.to, unit_);
         if (!(distance < infinity)) {
           return infinity;
         }
         bound = std::max(bound, distance);
       }
-      start = end;
+      start = last;
     }
     return sum_bound(bound, error);
   }
