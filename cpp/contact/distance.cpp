@@ -106,9 +106,10 @@ ContactName features(const PlacedPair& placed, const ContactName& name, Nearest 
 
 }  // namespace
 
-NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally) {
+std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, Tally& tally,
+                                                double distance) {
   std::optional<NearestFeatures> best;
-  NearestPairs(placed).any([&](const ContactName& candidate) {
+  NearestPairs(placed, distance).any([&](const ContactName& candidate) {
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
     const Nearest nearest = nearest_on(pair, tally);
     const ContactName name = features(placed, candidate, nearest);
@@ -122,8 +123,7 @@ NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally) {
     }
     return false;
   });
-  assert(best);
-  return *best;
+  return best;
 }
 
 Separation distance(const PlacedPair& placed, Tally& tally) {
@@ -131,8 +131,9 @@ Separation distance(const PlacedPair& placed, Tally& tally) {
   if (relation != Relation::apart) {
     return {relation, 0, {}};
   }
-  const NearestFeatures features = nearest_features(placed, tally);
-  const Contact nearest = contact_across(placed, features.name, features.gap, tally);
+  const std::optional<NearestFeatures> features = nearest_features(placed, tally);
+  assert(features);
+  const Contact nearest = contact_across(placed, features->name, features->gap, tally);
   return {relation, nearest.gap, nearest};
 }
 

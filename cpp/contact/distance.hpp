@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "box.hpp"
 #include "contact.hpp"
 #include "relation.hpp"
 
@@ -25,7 +26,9 @@ struct NearestFeatures {
   ContactName name;
   Gap gap;
 };
-NearestFeatures nearest_features(const PlacedPair& placed, Tally& tally);
+// Nothing where they are further from each other than a distance, by more than roundings.
+std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, Tally& tally,
+                                                double distance = infinity);
 
 // The relation, if they are no further than a distance from each other.
 std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally);

@@ -50,12 +50,20 @@ class NearContacts {
     }
     const RelativePair::Ends p = relative_.edge_of_a(i);
     const RelativePair::Ends q = relative_.edge_of_b(j);
+    const bool q_is_near =
+        q_is_convex && !(RelativePair::square_of_distance(p, q.from_x, q.from_y) > limit_);
+    const bool p_is_near =
+        p_is_convex && !(RelativePair::square_of_distance(q, p.from_x, p.from_y) > limit_);
+    // Directions take longer. Starts that are near each other are near both edges.
+    if (!q_is_near && !p_is_near) {
+      return false;
+    }
     const bool q_is_admitted = q_is_convex && admits(placed_.a, i, placed_.b, j);
     const bool p_is_admitted = p_is_convex && admits(placed_.b, j, placed_.a, i);
-    if (q_is_admitted && !(RelativePair::square_of_distance(p, q.from_x, q.from_y) > limit_)) {
+    if (q_is_admitted && q_is_near) {
       add({ContactKind::edge_vertex, i, j});
     }
-    if (p_is_admitted && !(RelativePair::square_of_distance(q, p.from_x, p.from_y) > limit_)) {
+    if (p_is_admitted && p_is_near) {
       add({ContactKind::vertex_edge, i, j});
     }
     if (p_is_convex && q_is_convex &&

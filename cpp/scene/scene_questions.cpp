@@ -80,11 +80,14 @@ class NearestSolid {
     if (!is_apart()) {
       return;
     }
-    const NearestFeatures nearest = nearest_features(at.placed, tally_);
-    const Gap& gap = nearest.gap;
+    const auto nearest = nearest_features(at.placed, tally_, limit_);
+    if (!nearest) {
+      return;
+    }
+    const Gap& gap = nearest->gap;
     const int order = best_ ? compare_gaps(gap, best_->nearest.gap, tally_) : -1;
     if (order < 0 || (order == 0 && solid.id < id_)) {
-      best_.emplace(Best{solid, nearest});
+      best_.emplace(Best{solid, *nearest});
       id_ = solid.id;
       // The roundings of this and of the distances of boxes are below 4u.
       limit_ = (1 + 0x1p-50) * nearest_gap(gap, tally_) + std::numeric_limits<double>::min();
