@@ -52,7 +52,7 @@ class NearestPairs {
 
   // Is is(name) true for one of them? The vertex may be nearest to an end of the edge.
   template <class Is>
-  bool any(Is is) const {
+  [[nodiscard]] bool any(Is is) const {
     return std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
       return !(candidate.square > limit_) && is(candidate.name);
     });
@@ -109,7 +109,7 @@ ContactName features(const PlacedPair& placed, const ContactName& name, Nearest 
 std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, Tally& tally,
                                                 double distance) {
   std::optional<NearestFeatures> best;
-  NearestPairs(placed, distance).any([&](const ContactName& candidate) {
+  static_cast<void>(NearestPairs(placed, distance).any([&](const ContactName& candidate) {
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
     const Nearest nearest = nearest_on(pair, tally);
     const ContactName name = features(placed, candidate, nearest);
@@ -122,7 +122,7 @@ std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, Tally&
       best = {name, gap};
     }
     return false;
-  });
+  }));
   return best;
 }
 

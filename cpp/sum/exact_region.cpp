@@ -197,50 +197,50 @@ void add_outer_ring(std::vector<RingVertex> outer, ExactRegion& region) {
   region.vertices = std::move(outer);
 }
 
-void find_sum_parts(const Operands& given, const std::vector<RingVertex>& outer,
+void find_sum_parts(const Operands& operands, const std::vector<RingVertex>& outer,
                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
   Tally& tally = counts.predicates;
   add_outer_ring(outer, region);
   const bool has_more = wanted.holes || wanted.fits;
-  if (!has_more || (given.a.is_convex && given.b.is_convex)) {
+  if (!has_more || (operands.a.is_convex && operands.b.is_convex)) {
     return;
   }
-  const OperandsInRange in_range(given);
-  const Operands& operands = in_range.operands();
-  Finder finder(operands, task, tally);
+  const OperandsInRange in_range(operands);
+  const Operands& searched = in_range.operands();
+  Finder finder(searched, task, tally);
   finder.add_outer(outer);
-  EdgeCover cover(operands, tally);
-  walk_half_plane(operands, cover, finder, task, counts);
+  EdgeCover cover(searched, tally);
+  walk_half_plane(searched, cover, finder, task, counts);
   if (wanted.fits) {
     cover.visit_touches(finder, [](const VertexSum&) { return true; });
   }
   if (!wanted.holes) {
     finder.rings().clear();
   }
-  const ExactOrder order(operands.a, operands.b, {0, 0}, tally);
+  const ExactOrder order(searched.a, searched.b, {0, 0}, tally);
   order.sort(finder.rings());
   for (const std::vector<RingVertex>& hole : finder.rings()) {
     add_part(region, PartKind::hole, 0, hole);
   }
   if (wanted.fits) {
-    add_fits(operands, finder.fits(), region);
+    add_fits(searched, finder.fits(), region);
   }
 }
 
-void find_free_parts(const Operands& given, const WindowBorder* border, const WantedParts& wanted,
-                     Task& task, Counts& counts, ExactRegion& region) {
-  const OperandsInRange in_range(given);
-  const Operands& operands = in_range.operands();
+void find_free_parts(const Operands& operands, const WindowBorder* border,
+                     const WantedParts& wanted, Task& task, Counts& counts, ExactRegion& region) {
+  const OperandsInRange in_range(operands);
+  const Operands& searched = in_range.operands();
   Tally& tally = counts.predicates;
-  Finder finder(operands, task, tally);
-  EdgeCover cover(operands, tally, border);
-  walk_half_plane(operands, cover, finder, task, counts);
+  Finder finder(searched, task, tally);
+  EdgeCover cover(searched, tally, border);
+  walk_half_plane(searched, cover, finder, task, counts);
   if (wanted.fits) {
     cover.visit_touches(finder, [](const VertexSum&) { return true; });
   }
   Index number = 0;
   for (const auto& [outer, holes] :
-       free_polygons(operands, std::move(finder.rings()), !operands.a.solids.empty(), tally)) {
+       free_polygons(searched, std::move(finder.rings()), !searched.a.solids.empty(), tally)) {
     add_part(region, PartKind::outer, number, outer);
     for (const std::vector<RingVertex>& hole : holes) {
       add_part(region, PartKind::hole, number, hole);
@@ -248,23 +248,23 @@ void find_free_parts(const Operands& given, const WindowBorder* border, const Wa
     ++number;
   }
   if (wanted.fits) {
-    add_fits(operands, finder.fits(), region, border != nullptr);
+    add_fits(searched, finder.fits(), region, border != nullptr);
   }
 }
 
-void find_free_boundary(const Operands& given, const WantedParts& wanted, Task& task,
+void find_free_boundary(const Operands& operands, const WantedParts& wanted, Task& task,
                         Counts& counts, ExactRegion& region) {
-  const OperandsInRange in_range(given);
-  const Operands& operands = in_range.operands();
-  Finder finder(operands, task, counts.predicates);
-  EdgeCover cover(operands, counts.predicates);
-  walk_half_plane(operands, cover, finder, task, counts);
+  const OperandsInRange in_range(operands);
+  const Operands& searched = in_range.operands();
+  Finder finder(searched, task, counts.predicates);
+  EdgeCover cover(searched, counts.predicates);
+  walk_half_plane(searched, cover, finder, task, counts);
   for (const std::vector<RingVertex>& ring : finder.rings()) {
     add_part(region, PartKind::outer, 0, ring);
   }
   if (wanted.fits) {
     cover.visit_touches(finder, [](const VertexSum&) { return true; });
-    add_fits(operands, finder.fits(), region);
+    add_fits(searched, finder.fits(), region);
   }
 }
 
