@@ -146,27 +146,30 @@ void WaysOut::find_boundary(Task& task) const {
   boundary_.emplace(searched(), region, slack_of(searched()), counts.predicates);
 }
 
-FreePlace EscapeSearch::nearest(const Point& from, Task& task) {
-  std::optional<FreePlace> place;
-  const std::optional<Point> start = ways_.in_range().scaled(from);
-  if (!start) {
-    FreePlaceSearch search(ways_.operands(), ways_.wanted(), tally_);
-    place = search.nearest(from, infinity, ways_.outer_ring(), task, 0);
-  }
-  const FreeBoundary* boundary = start ? ways_.boundary(task) : nullptr;
-  for (std::uint64_t steps = first_long_search(ways_.operands()); start && !place; steps *= 4) {
-    place = boundary != nullptr
-                ? search_.nearest(*start, *boundary)
-                : search_.nearest(*start, infinity, ways_.outer_ring(), task, 0, steps);
+std::optional<FreePlace> EscapeSearch::nearest_in_range(const Point& from, Task& task) {
+  const FreeBoundary* boundary = ways_.boundary(task);
+  for (std::uint64_t steps = first_long_search(ways_.operands());; steps *= 4) {
+    std::optional<FreePlace> place =
+        boundary != nullptr ? search_.nearest(from, *boundary)
+                            : search_.nearest(from, infinity, ways_.outer_ring(), task, 0, steps);
     ways_.add_search(search_.last_steps());
-    if (!place && search_.last_steps() <= steps) {
-      break;
+    if (place || search_.last_steps() <= steps) {
+      return place;
     }
-    boundary = place ? boundary : ways_.boundary(task, BoundaryTrial::most_for(steps));
+    boundary = ways_.boundary(task, BoundaryTrial::most_for(steps));
   }
+}
+
+FreePlace EscapeSearch::nearest(const Point& from, Task& task) {
+  const std::optional<Point> start = ways_.in_range().scaled(from);
+  std::optional<FreePlace> place = start
+                                       ? nearest_in_range(*start, task)
+                                       : FreePlaceSearch(ways_.operands(), ways_.wanted(), tally_)
+                                             .nearest(from, infinity, ways_.outer_ring(), task, 0);
   if (!place) {
     throw Error(Status::internal, "no way out of an overlap");
   }
+  place->point = unscaled_point(ways_.operands(), *place, from);
   return *place;
 }
 
@@ -176,8 +179,7 @@ Escape EscapeSearch::find(const PlacedPair& placed, Task& task) {
     const ExactPoint start = ExactPoint::of_sum({from, {0, 0}});
     return {0, {0, 0}, usable_position(placed.pair, start, std::nullopt, tally_), {}};
   }
-  FreePlace place = nearest(from, task);
-  place.point = unscaled_point(ways_.operands(), place, from);
+  const FreePlace place = nearest(from, task);
   const OwnedContact found = contact_in(ways_.operands(), search_, place, {}, tally_);
   return {depth_of(ways_.operands(), place, from, tally_), way_to(place, from, tally_),
           usable_position(placed.pair, place.point, found.edges, tally_), found.contact};

@@ -104,8 +104,10 @@ class EscapeSearch {
   Escape find(const PlacedPair& placed, Task& task);
 
  private:
-  // The nearest free place, where the operands are in range.
+  // The nearest free place. Throws Error: cancelled, internal.
   FreePlace nearest(const Point& from, Task& task);
+  // The same of a point among the operands in range.
+  std::optional<FreePlace> nearest_in_range(const Point& from, Task& task);
 
   const WaysOut& ways_;
   Tally& tally_;

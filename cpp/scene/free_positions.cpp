@@ -121,13 +121,11 @@ std::optional<UsablePosition> FreePositions::furthest_among(const Operands& oper
   const Operands& searched = first ? operands : in_range.operands();
   FreePlaceSearch search(searched, wanted_, tally);
   FurthestOfAll furthest_of_all(direction, tally);
-  bool are_all_shown = true;
   const auto is_shown = [&](const FreePlace& fit) {
     const ExactPoint point = unscaled_point(operands, fit);
     const bool result = usable(point, tally).relation != Relation::overlapping;
     if (!result) {
       furthest_of_all.take(point);
-      are_all_shown = false;
     }
     return result;
   };
@@ -156,7 +154,7 @@ std::optional<UsablePosition> FreePositions::furthest_among(const Operands& oper
     const auto shown = search.furthest(direction, {is_shown_near, true}, task, 1, first);
     return shown ? position_of(near, *shown) : position;
   }
-  if (are_all_shown) {
+  if (!furthest_of_all.found()) {
     return std::nullopt;
   }
   // Where nothing else is free, fits count.

@@ -249,6 +249,27 @@ static void coordinates_that_are_no_doubles(void) {
   gcv_polygon_destroy(wall);
 }
 
+/* Searches cannot take these at another scale: it loses the small coordinates. They tell which way
+ * is the shortest. */
+static void tiny_beside_huge(void) {
+  const double size = 0x1p600, tiny = 0x1p-1000;
+  const double from[4][2] = {{tiny, 0}, {-tiny, 0}, {0, tiny}, {0, -tiny}};
+  const double to[4][2] = {{size, 0}, {-size, 0}, {0, size}, {0, -size}};
+  gcv_polygon *huge = SQUARE(size);
+  gcv_escape ways[4];
+  gcv_scene *scene = new_scene();
+  add(scene, huge, 0, 0);
+  CHECK_OK(gcv_penetration(huge, huge, &from[0][0], 4, NULL, ways));
+  for (int k = 0; k < 4; ++k) {
+    const gcv_escape e = escape_at(scene, huge, from[k][0], from[k][1], NULL);
+    CHECK(memcmp(e.translation, to[k], sizeof to[k]) == 0);
+    CHECK(memcmp(ways[k].translation, to[k], sizeof to[k]) == 0);
+    CHECK(e.contact.id_a == 2 && e.contact.a == ways[k].contact.a);
+  }
+  gcv_scene_destroy(scene);
+  gcv_polygon_destroy(huge);
+}
+
 static void what_is_refused(void) {
   static const double good[] = {0, 0, 0, 0}, bad[] = {0, 0, 0, NAN}, far[] = {50, 50, 1, 1};
   gcv_polygon *unit = SQUARE(1);
@@ -298,6 +319,7 @@ int main(void) {
   queries_and_options();
   as_two_polygons();
   coordinates_that_are_no_doubles();
+  tiny_beside_huge();
   what_is_refused();
   return check_failures != 0;
 }

@@ -50,6 +50,16 @@ Owner<Handle> list_of(std::string& bytes, Call call) {
   return Owner<Handle>(list);
 }
 
+inline Points vertices_of(const gcv_region* region) {
+  std::size_t count = 0;
+  invariants::require(gcv_region_vertices(region, nullptr, 0, &count), "their number");
+  Points vertices(count + 1);
+  invariants::require(gcv_region_vertices(region, vertices.front().data(), count, &count),
+                      "vertices");
+  vertices.resize(count);
+  return vertices;
+}
+
 // Of the ids of a scene: the same for all scenes that have the same members.
 using Name = std::map<Id, Id>;
 
@@ -117,13 +127,8 @@ class Asker {
     append(bytes, gcv_scene_free_region(scene_, asked_.moving, nullptr, &query_, nullptr, &out));
     const Owner<gcv_region> region(out);
     if (region) {
-      std::size_t count = 0;
-      invariants::require(gcv_region_vertices(region.get(), nullptr, 0, &count), "their number");
-      Points vertices(count + 1);
-      invariants::require(gcv_region_vertices(region.get(), vertices.front().data(), count, &count),
-                          "vertices");
-      for (std::size_t k = 0; k < count; ++k) {
-        append(bytes, vertices[k]);
+      for (const Point& vertex : vertices_of(region.get())) {
+        append(bytes, vertex);
       }
       for (const Id id : invariants::elements(gcv_region_edge_owners, region.get())) {
         append(bytes, name_of(names_, id));
