@@ -70,9 +70,15 @@ class EdgeCover {
     BlockedDirections blocked_inside;  // by contacts that the border of a window does not make
   };
 
-  // Calls the visitor for all that the open sum leaves of s, from the start of s to its end.
+  // Calls the visitor for all that the open sum leaves of a part of s, from its start to its end.
   template <class Visitor>
-  void walk(const PairEdge& s, Visitor& visitor);
+  void walk(const PairEdge& s, const WalkedLines::Part& part, Visitor& visitor);
+
+  // The same for all of s.
+  template <class Visitor>
+  void walk(const PairEdge& s, Visitor& visitor) {
+    walk(s, {start_of(s), end_of(operands_, s)}, visitor);
+  }
 
   // The same for all superset edges of the half-plane of directions that begins with that rank.
   // Returns how many there were. Calls pass(pairs), as the search does.
@@ -84,8 +90,12 @@ class EdgeCover {
         first,
         [&](const PairEdge& s) {
           ++edges;
-          if ((border_ != nullptr && border_->makes(s)) || !lines.hold(s)) {
+          if (border_ != nullptr && border_->makes(s)) {
             walk(s, visitor);
+            return;
+          }
+          for (const WalkedLines::Part& part : lines.left_of(s)) {
+            walk(s, part, visitor);
           }
         },
         pass);
@@ -160,8 +170,9 @@ class EdgeCover {
   }
   // Of an edge that lies on the border of a window: the segments that are there without it.
   template <class Visitor>
-  void visit_segments_along_border(const PlacesOnLine& places, Visitor& visitor) {
-    for (const auto& [from, to] : segments_along_border(places)) {
+  void visit_segments_along_border(const PlacesOnLine& places, const WindowBorder::Part& part,
+                                   Visitor& visitor) {
+    for (const auto& [from, to] : segments_along_border(places, part)) {
       if (const int order = places.compare(from, to); order < 0) {
         visitor.segment(places, from, to);
       } else if (order == 0) {
@@ -169,8 +180,10 @@ class EdgeCover {
       }
     }
   }
-  // Parts of s that are segments of F where the border is not seen, clipped to the window.
-  std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places);
+  // In a part of s, those that are segments of F where the border is not seen, clipped to the
+  // window.
+  std::vector<WindowBorder::Part> segments_along_border(const PlacesOnLine& places,
+                                                        const WindowBorder::Part& part);
   // Begins to meet the pairs of edges near a place.
   void approach(const RelativeLine& line, const Place& place) {
     const Interval parameters = parameters_of(line, place);
@@ -240,14 +253,15 @@ class EdgeCover {
 };
 
 template <class Visitor>
-void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
+void EdgeCover::walk(const PairEdge& s, const WalkedLines::Part& asked, Visitor& visitor) {
   const PlacesOnLine places(operands_, s, tally_);
   const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
   const bool has_points = border_ == nullptr || !border_->makes(s);
   const bool has_segments =
       has_points && (border_ == nullptr || !border_->holds(operands_, places));
+  WindowBorder::Part part{Place::of(asked.from), Place::of(asked.to)};
   if (has_points && !has_segments) {
-    visit_segments_along_border(places, visitor);
+    visit_segments_along_border(places, part, visitor);
   }
   search_.begin(line);
   std::optional<Place> segment;  // where one has begun
@@ -258,7 +272,6 @@ void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
       run.parameters = {parameters_of(line, run.from).lo, parameters_of(line, run.to).hi};
     }
   }
-  WindowBorder::Part part{places.start(), places.end()};
   if (border_ != nullptr) {
     part = border_->clipped(operands_, places, part);
     if (places.compare(part.from, part.to) > 0) {
@@ -266,8 +279,14 @@ void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
     }
   }
   std::optional<Place> place = part.from;
+  // Where another walk has ended, what follows is soon shown to be covered, as a rule.
+  const bool was_walked_to = place->is_sum && !(place->sum == start_of(s));
   if (find_run(places, line, *place) == nullptr) {
-    place = skip(places, line, std::max(parameters_of(line, *place).lo, 0.0), *place);
+    if (!was_walked_to) {
+      place = skip(places, line, std::max(parameters_of(line, *place).lo, 0.0), *place);
+    } else if (const std::optional<Place> exit = exit_near(places, line, *place)) {
+      place = skip_between(places, line, *place, *exit);
+    }
   }
   while (place) {
     if (const Run* const run = find_run(places, line, *place)) {
@@ -278,7 +297,11 @@ void EdgeCover::walk(const PairEdge& s, Visitor& visitor) {
       place = leave_ring(places, line, run->to);
       continue;
     }
-    const bool is_end = places.compare(*place, part.to) >= 0;
+    const int order = places.compare(*place, part.to);
+    if (order > 0 && !segment) {
+      return;
+    }
+    const bool is_end = order >= 0;
     if (lies_on_known_ring(places, *place, visitor)) {
       // What follows is soon shown to be covered, as a rule.
       const std::optional<Place> exit = is_end ? std::nullopt : exit_near(places, line, *place);

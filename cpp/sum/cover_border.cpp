@@ -5,17 +5,18 @@
 
 namespace gcv {
 
-std::vector<WindowBorder::Part> EdgeCover::segments_along_border(const PlacesOnLine& places) {
+std::vector<WindowBorder::Part> EdgeCover::segments_along_border(const PlacesOnLine& places,
+                                                                 const WindowBorder::Part& part) {
   const PairEdge& s = places.line().edge;
   const RelativeLine line{operands_.relative_start(s), places.line().at.dx, places.line().at.dy};
   std::vector<WindowBorder::Part> segments;
   search_.begin(line);
   seen_ = border_->first;
   std::optional<Place> segment;  // where one has begun
-  for (std::optional<Place> place = places.start(); place;) {
+  for (std::optional<Place> place = part.from; place;) {
     const Surroundings surroundings = look(places, line, *place);
     const Containment containment = contained_at(places, line, *place);
-    const bool is_end = places.compare(*place, places.end()) >= 0;
+    const bool is_end = places.compare(*place, part.to) >= 0;
     const bool leads_on = !is_end && !surroundings.is_covered && !containment.of_place &&
                           !surroundings.blocked.holds(s.rank);
     const bool is_segment = leads_on && surroundings.blocked.hold_right_of(s.rank);

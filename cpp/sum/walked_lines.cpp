@@ -33,11 +33,13 @@ int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const Vert
   return from.y < to.y ? order : -order;
 }
 
-bool WalkedLines::hold(const PairEdge& s) {
-  if (edges_of_rank_[s.rank] == 1) {
-    return false;
-  }
+std::span<const WalkedLines::Part> WalkedLines::left_of(const PairEdge& s) {
   const Part part{start_of(s), end_of(operands_, s)};
+  left_.clear();
+  if (edges_of_rank_[s.rank] == 1) {
+    left_.push_back(part);
+    return left_;
+  }
   std::vector<Part>& parts = lines_.at(s);
   // Those that end before it begins, and then those that begin before it ends.
   const auto first = std::partition_point(parts.begin(), parts.end(), [&](const Part& other) {
@@ -46,18 +48,26 @@ bool WalkedLines::hold(const PairEdge& s) {
   const auto last = std::partition_point(first, parts.end(), [&](const Part& other) {
     return compare_along(s, other.from, part.to) >= 0;
   });
+  VertexSum from = part.from;
+  std::for_each(first, last, [&](const Part& other) {
+    if (compare_along(s, from, other.from) > 0) {
+      left_.push_back({from, other.from});
+    }
+    from = other.to;
+  });
+  if (compare_along(s, from, part.to) > 0) {
+    left_.push_back({from, part.to});
+  }
   if (first == last) {
     parts.insert(first, part);
-    return false;
+  } else if (!left_.empty()) {
+    const Part& one = *first;
+    const Part& other = *std::prev(last);
+    *first = {compare_along(s, part.from, one.from) > 0 ? part.from : one.from,
+              compare_along(s, other.to, part.to) > 0 ? part.to : other.to};
+    parts.erase(std::next(first), last);
   }
-  const Part& one = *first;
-  const Part& other = *std::prev(last);
-  const bool begins_before = compare_along(s, part.from, one.from) > 0;
-  const bool ends_behind = compare_along(s, other.to, part.to) > 0;
-  const bool is_held = std::next(first) == last && !begins_before && !ends_behind;
-  *first = {begins_before ? part.from : one.from, ends_behind ? part.to : other.to};
-  parts.erase(std::next(first), last);
-  return is_held;
+  return left_;
 }
 
 }  // namespace gcv

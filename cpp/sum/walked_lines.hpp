@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "contributing_vertices.hpp"
@@ -21,16 +22,19 @@ class WalkedLines {
   // From now on none was walked.
   void clear() { lines_.clear(); }
 
-  // Do others that were walked hold the whole edge? Takes it for walked. Where no other edge has
-  // its direction it does not ask.
-  bool hold(const PairEdge& s);
-
- private:
   // A part of a line from one sum of vertices to another.
   struct Part {
     VertexSum from;
     VertexSum to;
   };
+  // The parts of an edge that others left, in order. Takes it for walked. Where no other edge has
+  // its direction it does not ask.
+  std::span<const Part> left_of(const PairEdge& s);
+
+  // Did others leave none of it?
+  bool hold(const PairEdge& s) { return left_of(s).empty(); }
+
+ private:
   // The sign of the way from p to q along the edge.
   int compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q);
 
@@ -38,6 +42,7 @@ class WalkedLines {
   Tally& tally_;
   std::vector<std::uint32_t> edges_of_rank_;
   EdgeLines<std::vector<Part>> lines_;  // their parts, in order, apart from one another
+  std::vector<Part> left_;
 };
 
 }  // namespace gcv

@@ -490,6 +490,23 @@ void pairs_of_bars() {
                    gcv_pair_list_destroy(pairs);
                  });
 }
+// Combs on each other, and one more: their long edges overlap on the same lines.
+void free_region_of_combs() {
+  constexpr int teeth = 24;
+  constexpr double height = 10;
+  Polygon positions;
+  for (int k = 0; k < 8; ++k) {
+    positions.push_back({0, height * k});
+  }
+  const Polygon box{{-100, -100}, {200, -100}, {200, 200}, {-100, 200}};
+  with_container(
+      box, {4}, comb(teeth, 1, 1, height - 1), positions,
+      [](const gcv_scene* scene, const gcv_polygon* moving) {
+        gcv_region* region = nullptr;
+        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
+        gcv_region_destroy(region);
+      });
+}
 // A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
 void distance_in_pocket() {
   constexpr int teeth = 600;
@@ -610,6 +627,7 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
+    {"scene_free_region_of_combs", free_region_of_combs},
     {"scene_free_region_of_pile", free_region_of_pile},
     {"scene_free_region_of_plate", free_region_of_plate},
     {"scene_free_region_of_row", free_region_of_row},
