@@ -72,7 +72,7 @@ class EdgeCover {
 
   // Calls the visitor for all that the open sum leaves of a part of s, from its start to its end.
   template <class Visitor>
-  void walk(const PairEdge& s, const WalkedLines::Part& part, Visitor& visitor);
+  void walk(const PairEdge& s, const WalkedLines::Part& asked, Visitor& visitor);
 
   // The same for all of s.
   template <class Visitor>
