@@ -100,7 +100,7 @@ FreePlaceSearch::FreePlaceSearch(const Operands& operands, const WantedParts& wa
       tally_(tally),
       cover_(operands, tally),
       nearest_edges_(operands, cover_.search()),
-      known_(operands, cover_.search().slack(), tally) {}
+      walked_(operands, cover_.search().slack(), tally) {}
 
 std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most,
                                                   const std::vector<RingVertex>& outer_ring,
@@ -120,10 +120,10 @@ std::optional<FreePlace> FreePlaceSearch::nearest(const Point& from, double most
   }
   const auto steps = [&] { return last_steps_ + cover_.search().visits() - visits_before; };
   if (wanted_.holes || wanted_.fits) {
-    known_.clear();
+    walked_.clear();
     nearest_edges_.for_each(
-        best.reach(), [&](const PairEdge& s) { return known_.hold(s); },
-        [&](const PairEdge& s) { cover_.walk(s, best); },
+        best.reach(), [](const PairEdge& /*s*/) { return true; },
+        [&](const PairEdge& s) { walk(s, best); },
         [&] {
           if (++last_steps_ % steps_a_poll == 0) {
             task.poll();

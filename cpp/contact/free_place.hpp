@@ -71,6 +71,13 @@ class FreePlaceSearch {
 
  private:
   std::vector<WitnessSearch::Pair> pairs_near(const FreePlace& place);
+  // Walks what no other edge has walked.
+  template <class Visitor>
+  void walk(const PairEdge& s, Visitor& visitor) {
+    for (const WalkedLines::Part& part : walked_.left_of(s)) {
+      cover_.walk(s, part, visitor);
+    }
+  }
 
   const Operands& operands_;
   WantedParts wanted_;
@@ -78,7 +85,7 @@ class FreePlaceSearch {
   EdgeCover cover_;
   NearestEdges nearest_edges_;
   std::uint64_t last_steps_ = 0;
-  WalkedLines known_;  // superset edges that were looked at: what they have within reach is found
+  WalkedLines walked_;  // what superset edges have there within reach is found
 };
 
 }  // namespace gcv

@@ -118,7 +118,7 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, const
   nearest_edges_.set_goal(Goal::far(direction));
   FurthestFree best(operands_, wanted_, cover_, nearest_edges_, direction, wish, first, tally_);
   nearest_edges_.leave_out_before(best.distance_of_first().lo);
-  known_.clear();
+  walked_.clear();
   const auto leads_on = [&](const PairEdge& s) {
     const auto [from, to] = operands_.source(s);
     const int sign = sign_along(direction, from, to, tally_);
@@ -127,11 +127,11 @@ std::optional<FreePlace> FreePlaceSearch::furthest(const Point& direction, const
   nearest_edges_.for_each(
       best.reach(),
       [&](const PairEdge& s) {
-        return (!wish.is_for_corners && leads_on(s)) || best.is_behind(s) || known_.hold(s);
+        return (wish.is_for_corners || !leads_on(s)) && !best.is_behind(s);
       },
       [&](const PairEdge& s) {
         if (!best.is_behind(s)) {
-          cover_.walk(s, best);
+          walk(s, best);
         }
       },
       [&] {

@@ -41,10 +41,10 @@ class NearestEdges {
 
   // Calls visit(edge) for superset edges in focus, before merging, whose distance from the goal may
   // be at most `reach`, which may fall on the way: as far as no witnesses cover them, by that
-  // distance, the nearest one first. Leaves out those that is_known(edge) knows, which is asked
-  // before an edge is looked at. Calls pass() after each step, and ends if it gives false.
-  template <class IsKnown, class Visit, class Pass>
-  void for_each(const double& reach, IsKnown is_known, Visit visit, Pass pass) {
+  // distance, the nearest one first. Leaves out those that is_wanted(edge) does not want, which is
+  // asked before an edge is looked at. Calls pass() after each step, and ends if it gives false.
+  template <class IsWanted, class Visit, class Pass>
+  void for_each(const double& reach, IsWanted is_wanted, Visit visit, Pass pass) {
     find_edges_below();
     heap_.clear();
     push({0, Entry::nodes, ChordTree::root, ChordTree::root});
@@ -59,7 +59,7 @@ class NearestEdges {
       if (entry.is_nodes()) {
         look_below(entry.a, entry.b, limit);
       } else if (!entry.is_looked_at) {
-        if (!is_known(operands_.named(entry.edge()))) {
+        if (is_wanted(operands_.named(entry.edge()))) {
           look_at(entry, limit);
         }
       } else {

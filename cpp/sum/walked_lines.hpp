@@ -31,9 +31,6 @@ class WalkedLines {
   // its direction it does not ask.
   std::span<const Part> left_of(const PairEdge& s);
 
-  // Did others leave none of it?
-  bool hold(const PairEdge& s) { return left_of(s).empty(); }
-
  private:
   // The sign of the way from p to q along the edge.
   int compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q);

@@ -142,7 +142,7 @@ TEST(WalkedLines, LeaveWhatWasNotWalked) {
       ASSERT_EQ(left,
                 is_asked ? left_of(part, walked) : (std::vector<Stretch>{{part.from, part.to}}));
       walked.push_back(part);
-      ASSERT_EQ(lines.hold(edge), is_asked);
+      ASSERT_EQ(lines.left_of(edge).empty(), is_asked);
     }
   }
   EXPECT_GT(held, asked / 4);
@@ -171,17 +171,17 @@ TEST(WalkedLines, JoinEdgesOfALine) {
   for (Index i = 0; i < a.size(); ++i) {
     if (is_tip(i)) {
       ++corners;
-      EXPECT_FALSE(lines.hold(operands.corner(i, top)));
+      EXPECT_FALSE(lines.left_of(operands.corner(i, top)).empty());
     }
   }
   EXPECT_EQ(corners, 20);
   for (Index i = 0; i < a.size(); ++i) {
     if (is_tip(i)) {
-      EXPECT_TRUE(lines.hold(operands.corner(i, top)));
+      EXPECT_TRUE(lines.left_of(operands.corner(i, top)).empty());
     }
     if (is_tip(i) && is_tip(a.next(i))) {
-      EXPECT_TRUE(lines.hold(operands.translated(i, top)));
-      EXPECT_TRUE(lines.hold(operands.translated(i, b.next(top))));
+      EXPECT_TRUE(lines.left_of(operands.translated(i, top)).empty());
+      EXPECT_TRUE(lines.left_of(operands.translated(i, b.next(top))).empty());
     }
   }
 }
