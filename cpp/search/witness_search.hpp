@@ -13,6 +13,7 @@
 #include "edges_below.hpp"
 #include "equal_chains.hpp"
 #include "sectors.hpp"
+#include "turned_boxes.hpp"
 #include "witness.hpp"
 
 namespace gcv {
@@ -161,8 +162,11 @@ class WitnessSearch {
   const ChordTree& a_;
   const ChordTree& b_;
   double slack_;
+  TurnedBoxes turned_;
 
   RelativeLine line_{};
+  Point turned_origin_{};  // of the line
+  Point turned_way_{};
   std::vector<Waiting> queue_;    // what is near the place on the line that was reached
   std::size_t next_ = 0;          // in the queue
   std::vector<Waiting> waiting_;  // a heap: the one that comes near first is in front

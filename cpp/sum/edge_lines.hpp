@@ -16,6 +16,18 @@
 
 namespace gcv {
 
+// The sign of the way along an edge from p to q, both on its line.
+inline int compare_along(const Operands& operands, const EdgeName& s, const SumPoint& p,
+                         const SumPoint& q, Tally& tally) {
+  const auto [from, to] = operands.source(s);
+  if (from.x != to.x) {
+    const int order = compare_x(q, p, tally);
+    return from.x < to.x ? order : -order;
+  }
+  const int order = compare_y(q, p, tally);
+  return from.y < to.y ? order : -order;
+}
+
 // The directed lines that superset edges lie on, each with a value. Edges that overlap have several
 // names and one line. Lines are found by their places in doubles, and compared exactly.
 template <class Value>

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "directions.hpp"
+#include "edge_lines.hpp"
 #include "piece.hpp"
 #include "predicates.hpp"
 #include "tree_product.hpp"
@@ -27,6 +28,12 @@ class CoincidingEdges {
     const SumEdge line = coordinates(operands_.a, operands_.b, arriving);
     const Directions& directions = operands_.directions;
     const int away = directions.angle(arriving.rank, leaving.rank) < directions.half_turn ? 1 : -1;
+    // The edge that arrives at a sum may be parallel: that of a segment.
+    const auto begins_behind = [&](const PairEdge& e) {
+      return v.is_sum() ? compare_along(operands_, leaving, operands_.point({v.i(), v.j()}),
+                                        operands_.start(e), tally_) > 0
+                        : side(line, operands_.start(e), tally_) == away;
+    };
     const SumPoint end = operands_.end(leaving);
     const Point place = operands_.relative_end(leaving);
     Piece piece(s, operands_.relative_start(leaving), place, place, slack_);
@@ -35,8 +42,7 @@ class CoincidingEdges {
     superset_.search(piece, [&](Index i, Index j) {
       superset_.for_each_edge(i, j, [&](const PairEdge& e) {
         if (e.rank == leaving.rank && key(e) < key(first) &&
-            are_equal(operands_.end(e), end, tally_) &&
-            side(line, operands_.start(e), tally_) != away) {
+            are_equal(operands_.end(e), end, tally_) && !begins_behind(e)) {
           first = e;
         }
       });

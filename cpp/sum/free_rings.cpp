@@ -14,8 +14,11 @@
 #include "error.hpp"
 #include "exact_order.hpp"
 #include "overlapping_pairs.hpp"
+#include "piece.hpp"
+#include "predicates.hpp"
 #include "ring_predicates.hpp"
 #include "task.hpp"
+#include "tree_product.hpp"
 
 namespace gcv {
 
@@ -123,11 +126,48 @@ class Cutter {
       });
       for (const Index on : on_edges[k]) {
         if (visits.back().point != points[on]) {
-          visits.push_back({ring[on], points[on], corner.leaving(), corner.leaving()});
+          const EdgeName edge = edge_before(corner, ring[cyclic_next(k, n)], placed[on], way);
+          visits.push_back({ring[on], points[on], edge, edge});
         }
       }
     }
     return visits;
+  }
+
+  // A superset edge that makes what comes right before a point of an edge of a ring, from one
+  // corner to the next. `way`: the order of these.
+  EdgeName edge_before(const RingVertex& corner, const RingVertex& next,
+                       const ExactOrder::Placed& point, int way) {
+    const auto comes = [&](const VertexSum& sum) {
+      const EdgeName edge = corner.leaving();
+      return way * order_.compare(order_.placed(RingVertex::sum(sum.i, sum.j, edge, edge)), point);
+    };
+    const auto makes = [&](const EdgeName& e) {
+      return comes(start_of(e)) > 0 && comes(end_of(operands_, e)) <= 0;
+    };
+    for (const EdgeName& edge : {corner.leaving(), next.arriving()}) {
+      if (makes(edge)) {
+        return edge;
+      }
+    }
+    // Several follow one another.
+    if (!superset_) {
+      superset_.emplace(operands_);
+    }
+    const PairEdge along = operands_.named(corner.leaving());
+    const SumEdge line = coordinates(operands_.a, operands_.b, along);
+    const Point start = operands_.relative_start(along);
+    Piece piece(line, start, start, operands_.relative_end(next.arriving()), slack_of(operands_));
+    std::optional<EdgeName> first;
+    superset_->search(piece, [&](Index i, Index j) {
+      superset_->for_each_edge(i, j, [&](const PairEdge& e) {
+        if (e.rank == along.rank && !(first && first->key() < e.key()) &&
+            side(line, operands_.start(e), tally_) == 0 && makes(e)) {
+          first = e;
+        }
+      });
+    });
+    return first.value_or(corner.leaving());
   }
 
   bool lies_on_line(const EdgeName& edge, const RingVertex& v) {
@@ -139,6 +179,7 @@ class Cutter {
   const ExactOrder& order_;
   Tally& tally_;
   Pace pace_;
+  std::optional<TreeProduct> superset_;  // made when it is needed
 };
 
 // The same ring, the other way round.

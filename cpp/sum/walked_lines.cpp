@@ -21,16 +21,8 @@ WalkedLines::WalkedLines(const Operands& operands, double slack, Tally& tally)
 }
 
 int WalkedLines::compare_along(const PairEdge& s, const VertexSum& p, const VertexSum& q) {
-  if (p == q) {
-    return 0;
-  }
-  const auto [from, to] = operands_.source(s);
-  if (from.x != to.x) {
-    const int order = compare_x(operands_.point(q), operands_.point(p), tally_);
-    return from.x < to.x ? order : -order;
-  }
-  const int order = compare_y(operands_.point(q), operands_.point(p), tally_);
-  return from.y < to.y ? order : -order;
+  return p == q ? 0
+                : gcv::compare_along(operands_, s, operands_.point(p), operands_.point(q), tally_);
 }
 
 std::span<const WalkedLines::Part> WalkedLines::left_of(const PairEdge& s) {

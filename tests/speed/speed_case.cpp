@@ -507,6 +507,23 @@ void free_region_of_combs() {
         gcv_region_destroy(region);
       });
 }
+// Combs of long thin teeth in a row, and one more, all slanting.
+void free_region_of_slanting_combs() {
+  constexpr int teeth = 16;
+  constexpr double height = 1000;
+  Polygon positions;
+  for (int k = 0; k < 8; ++k) {
+    positions.push_back({(teeth - 0.1) * k, 0});
+  }
+  const Polygon box{{-20, -500}, {400, -500}, {400, 1800}, {-20, 1800}};
+  with_container(
+      mapped(box, slanting), {4}, mapped(comb(teeth, 0.9, 0.1, height), slanting),
+      mapped(positions, slanting), [](const gcv_scene* scene, const gcv_polygon* moving) {
+        gcv_region* region = nullptr;
+        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
+        gcv_region_destroy(region);
+      });
+}
 // A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
 void distance_in_pocket() {
   constexpr int teeth = 600;
@@ -631,6 +648,7 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"scene_free_region_of_pile", free_region_of_pile},
     {"scene_free_region_of_plate", free_region_of_plate},
     {"scene_free_region_of_row", free_region_of_row},
+    {"scene_free_region_of_slanting_combs", free_region_of_slanting_combs},
     {"scene_pairs_among_holes", pairs_among_holes},
     {"scene_pairs_of_bars", pairs_of_bars},
     {"scene_penetration", ways_out_of_plate}};
