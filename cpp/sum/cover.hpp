@@ -215,7 +215,8 @@ class EdgeCover {
   // What follows the place on s is covered: a place beyond, up to which that is so; or nothing if s
   // ends first.
   std::optional<Place> leave_cover(const PlacesOnLine& places, const RelativeLine& line,
-                                   const Place& place, const Containment& containment);
+                                   const Place& place,
+                                   const std::optional<Containment>& containment);
   // What follows the place on s is free, and its right side is covered. The next place where this
   // may end. If the right side is free, also the next one where that may end.
   Place next_change(const PlacesOnLine& places, const RelativeLine& line, const Place& place,
@@ -318,8 +319,11 @@ void EdgeCover::walk(const PairEdge& s, const WalkedLines::Part& asked, Visitor&
       }
     }
     Surroundings surroundings = look(places, line, *place);
-    const Containment containment = contained_at(places, line, *place);
-    surroundings.is_covered = surroundings.is_covered || containment.of_place;
+    std::optional<Containment> containment;  // where edges near the place do not cover it
+    if (!surroundings.is_covered) {
+      containment = contained_at(places, line, *place);
+      surroundings.is_covered = containment->of_place;
+    }
     const bool leads_on =
         !is_end && !surroundings.is_covered && !surroundings.blocked.holds(s.rank);
     const bool is_ring = leads_on && !surroundings.blocked.hold_right_of(s.rank);

@@ -109,8 +109,12 @@ std::optional<Place> EdgeCover::exit_of_cover(const PlacesOnLine& places, const 
 }
 
 std::optional<Place> EdgeCover::leave_cover(const PlacesOnLine& places, const RelativeLine& line,
-                                            const Place& place, const Containment& containment) {
-  const std::optional<Place> furthest = exit_of_cover(places, place, containment);
+                                            const Place& place,
+                                            const std::optional<Containment>& containment) {
+  std::optional<Place> furthest = exit_of_cover(places, place, containment.value_or(Containment{}));
+  if (!furthest && !containment) {
+    furthest = exit_of_cover(places, place, contained_at(places, line, place));
+  }
   if (!furthest) {
     throw Error(Status::internal, "no witness covers what follows a covered place");
   }
