@@ -76,10 +76,11 @@ std::vector<TurnedBoxes::Boxes> TurnedBoxes::boxes_of(const ChordTree& tree) con
     pace.step();
     const ChordTree::Block& block = tree.blocks[number];
     for (std::uint32_t lane = 0; lane < ChordTree::width; ++lane) {
+      result[number].put(lane, empty_box);
+    }
+    for_each_lane(block.lanes, [&](std::uint32_t lane) {
       Box box = empty_box;
-      if ((block.lanes >> lane & 1U) == 0) {
-        // There is no node.
-      } else if (block.extent[lane] < 0) {
+      if (block.extent[lane] < 0) {
         box = box_of(turned({block.x0[lane], block.y0[lane]}),
                      turned({block.x1[lane], block.y1[lane]}));
       } else {
@@ -88,7 +89,7 @@ std::vector<TurnedBoxes::Boxes> TurnedBoxes::boxes_of(const ChordTree& tree) con
         }
       }
       result[number].put(lane, box);
-    }
+    });
   }
   return result;
 }

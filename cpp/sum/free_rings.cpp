@@ -167,7 +167,10 @@ class Cutter {
         }
       });
     });
-    return first.value_or(corner.leaving());
+    if (!first) {
+      throw Error(Status::internal, "no edge makes a ring");
+    }
+    return *first;
   }
 
   bool lies_on_line(const EdgeName& edge, const RingVertex& v) {

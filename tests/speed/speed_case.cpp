@@ -414,6 +414,11 @@ void free_region_of_pile() {
   gcv_scene_destroy(scene);
   gcv_polygon_destroy(polygon);
 }
+void ask_free_region(const gcv_scene* scene, const gcv_polygon* moving) {
+  gcv_region* region = nullptr;
+  require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
+  gcv_region_destroy(region);
+}
 // Calls ask(scene) for members at positions in a container of rings.
 template <class Ask>
 void with_container(const Polygon& rings, const std::vector<std::size_t>& sizes,
@@ -444,13 +449,8 @@ void free_region_of_row() {
     positions.push_back({2.1 * k, 1.3 * k});
   }
   const Polygon slanting_square{{0, 0}, {0.84, 0.52}, {0.32, 1.36}, {-0.52, 0.84}};
-  with_container(
-      {{-edge, -edge}, {edge, -edge}, {edge, edge}, {-edge, edge}}, {4}, slanting_square, positions,
-      [](const gcv_scene* scene, const gcv_polygon* moving) {
-        gcv_region* region = nullptr;
-        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
-        gcv_region_destroy(region);
-      });
+  with_container({{-edge, -edge}, {edge, -edge}, {edge, edge}, {-edge, edge}}, {4}, slanting_square,
+                 positions, ask_free_region);
 }
 // Members between the holes of a container.
 void pairs_among_holes() {
@@ -499,13 +499,7 @@ void free_region_of_combs() {
     positions.push_back({0, height * k});
   }
   const Polygon box{{-100, -100}, {200, -100}, {200, 200}, {-100, 200}};
-  with_container(
-      box, {4}, comb(teeth, 1, 1, height - 1), positions,
-      [](const gcv_scene* scene, const gcv_polygon* moving) {
-        gcv_region* region = nullptr;
-        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
-        gcv_region_destroy(region);
-      });
+  with_container(box, {4}, comb(teeth, 1, 1, height - 1), positions, ask_free_region);
 }
 // Combs of long thin teeth in a row, and one more, all slanting.
 void free_region_of_slanting_combs() {
@@ -516,13 +510,8 @@ void free_region_of_slanting_combs() {
     positions.push_back({(teeth - 0.1) * k, 0});
   }
   const Polygon box{{-20, -500}, {400, -500}, {400, 1800}, {-20, 1800}};
-  with_container(
-      mapped(box, slanting), {4}, mapped(comb(teeth, 0.9, 0.1, height), slanting),
-      mapped(positions, slanting), [](const gcv_scene* scene, const gcv_polygon* moving) {
-        gcv_region* region = nullptr;
-        require(gcv_scene_free_region(scene, moving, nullptr, nullptr, nullptr, &region));
-        gcv_region_destroy(region);
-      });
+  with_container(mapped(box, slanting), {4}, mapped(comb(teeth, 0.9, 0.1, height), slanting),
+                 mapped(positions, slanting), ask_free_region);
 }
 // A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
 void distance_in_pocket() {
