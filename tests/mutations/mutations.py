@@ -323,6 +323,7 @@ def main() -> None:
         for mutant in all_mutants(PROJECT, rooms, options.seed)
         if fnmatch.fnmatch(mutant.file, options.files)
     ][: options.count]
+    equivalents = read_equivalents()
     if options.list:
         for k, mutant in enumerate(mutants, 1):
             print(k, mutant.place, mutant.change, sep="\t")
@@ -345,7 +346,6 @@ def main() -> None:
         sys.exit(f"no test is called {options.tests}")
     known = baseline(tests)
     code = library_code()
-    equivalents = read_equivalents()
     results = read_results()
     shutil.rmtree(FOLDER / "diffs", ignore_errors=True)
     (FOLDER / "diffs").mkdir()
