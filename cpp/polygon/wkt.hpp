@@ -17,7 +17,7 @@ namespace gcv {
 // one. Throws Error: parse with the byte offset, not_finite, degenerate (POLYGON EMPTY).
 std::vector<PointVector> parse_polygon(std::string_view text, const char* name);
 
-// Writes "POLYGON ((x y, ..., x y))", closed. Each number has the fewest digits that read back to
+// Writes "POLYGON ((x y, ..., x y))", closed. Each number has the shortest form that reads back to
 // it.
 std::string format_polygon(std::span<const Point> ring);
 

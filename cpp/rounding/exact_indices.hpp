@@ -32,7 +32,8 @@ std::vector<std::size_t> closest_edges(std::span<const Point> other, const Point
                                        Task& task);
 
 // For each vertex of the rounded ring, the index of the exact vertex that was rounded to it, the
-// first of those that fell together, or that was moved there. If there is none, as closest_edges().
+// lowest of those that fell together, or that was moved there. If there is none, as
+// closest_edges().
 std::vector<std::uint64_t> exact_indices(const ExactRing& exact, const RoundedRing& rounded);
 
 }  // namespace gcv

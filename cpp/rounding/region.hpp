@@ -36,7 +36,8 @@ struct ExactRegion : ExactRing {
 struct RoundedRegion {
   PointVector vertices;
   std::vector<RegionPart> parts;
-  // For each vertex, the exact vertex that it stands for: the first of those that fell together.
+  // For each vertex, the exact vertex that it stands for: the lowest index of those that fell
+  // together.
   std::vector<std::uint64_t> exact_indices;
   // The distance of a point of the exact parts from what is returned for them, at most, and the
   // other way round. A part that is dropped counts with its extents.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 //
-// Well-Known Text of a region in doubles. Each number has the fewest digits that read back to it.
+// Well-Known Text of a region in doubles. Each number has the shortest form that reads back to it.
 // Does not depend on the locale.
 #pragma once
 

@@ -158,11 +158,11 @@ class Region(Result):
     def exact_indices(self) -> numpy.typing.NDArray[numpy.int64]:
         """For each of vertices, the index in exact of what it stands for.
 
-        sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of
-        exact vertices that fell together, it is the first: the edges between them have
-        vanished, and the edge on comes from that of the last. For a vertex that rounding
-        made, it is the start of the exact edge that the edge on lies closest to, measured in
-        floats.
+        sources[exact_indices[k]] is where the edge from vertices[k] on comes from. Of exact
+        vertices that fell together, it is the lowest index: the edges between them have
+        vanished, and the edge on comes from that of the last of them along the ring. They can
+        lie on both sides of the start of the ring. For a vertex that rounding made, it is the
+        start of the exact edge that the edge on lies closest to, measured in floats.
 
         An array of shape (n,) that cannot be written to; a list without numpy.
         """

@@ -697,9 +697,10 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_edge_sources(const gcv_outer_fac
  * The exact vertex that each returned vertex stands for. With it, gcv_outer_face_edge_sources
  * tells where the returned edges come from.
  *
- * If several exact vertices fell together, it is the first of them: the edges between them have
- * vanished, and the returned edge from there comes from that of the last. If rounding made a new
- * vertex, it is the start of the exact edge that the returned edge from there lies closest to.
+ * If several exact vertices fell together, it is the lowest of their indices. The edges between
+ * them have vanished, and the returned edge from there comes from that of the last of them along
+ * the ring. They can lie on both sides of the start of the ring. If rounding made a new vertex, it
+ * is the start of the exact edge that the returned edge from there lies closest to.
  *
  * @param out       indices for gcv_outer_face_exact_vertex: room for `capacity` elements; or
  *                  NULL.
@@ -746,7 +747,7 @@ GCV_API GCV_NODISCARD gcv_status gcv_outer_face_area(const gcv_outer_face *face,
 
 /**
  * The returned ring as Well-Known Text, "POLYGON ((x y, ..., x y))", closed, each
- * number with the fewest digits that read back as the same double.
+ * number in the shortest form that reads back as the same double.
  *
  * @param text      room for `capacity` bytes; or NULL.
  * @param capacity  in bytes.
@@ -1060,9 +1061,10 @@ GCV_API GCV_NODISCARD gcv_status gcv_region_exact_vertex(const gcv_region *regio
  * The exact vertex that each returned vertex stands for. With it, gcv_region_edge_sources and
  * gcv_region_edge_owners tell where the returned edges come from.
  *
- * If several exact vertices fell together, it is the first of them: the edges between them have
- * vanished, and the returned edge from there comes from that of the last. If rounding made a new
- * vertex, it is the start of the exact edge that the returned edge from there lies closest to.
+ * If several exact vertices fell together, it is the lowest of their indices. The edges between
+ * them have vanished, and the returned edge from there comes from that of the last of them along
+ * the ring. They can lie on both sides of the start of the ring. If rounding made a new vertex, it
+ * is the start of the exact edge that the returned edge from there lies closest to.
  *
  * @param out       indices for gcv_region_exact_vertex: room for `capacity` elements; or NULL.
  * @param capacity  in elements.

@@ -83,8 +83,9 @@ impl OuterFace {
     /// The exact vertex that each vertex of [`OuterFace::vertices`] stands for, as an index in
     /// [`OuterFace::exact_vertices`] and [`OuterFace::sources`].
     ///
-    /// If several exact vertices fell together, it is the first of them: the edges between them
-    /// have vanished, and the returned edge from there comes from that of the last. If rounding
+    /// If several exact vertices fell together, it is the lowest of their indices. The edges
+    /// between them have vanished, and the returned edge from there comes from that of the last
+    /// of them along the ring. They can lie on both sides of the start of the ring. If rounding
     /// made a new vertex, it is the start of the exact edge that the returned edge from there
     /// lies closest to.
     ///
