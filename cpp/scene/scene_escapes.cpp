@@ -22,6 +22,11 @@ namespace gcv {
 
 namespace {
 
+constexpr Box everywhere{-infinity, -infinity, infinity, infinity};
+
+// All of a scene serves places that so many times their neighbourhoods would make up.
+constexpr std::uint64_t most_times = 4;
+
 Slots joined(const Slots& p, const Slots& q) {
   Slots all;
   std::set_union(p.begin(), p.end(), q.begin(), q.end(), std::back_inserter(all));
@@ -49,7 +54,9 @@ struct SceneEscapeSearch::Neighbourhood {
   [[nodiscard]] bool holds(const Slots& others) const {
     return std::includes(slots.begin(), slots.end(), others.begin(), others.end());
   }
-  // Nothing outside of a focus matters to a search. One without is of use everywhere.
+  // Is there a search without a focus? There is none at all where memory has run out.
+  [[nodiscard]] bool is_of_use_everywhere() const { return search && !operands.focus; }
+  // Nothing outside of a focus matters to a search.
   void begin(const WantedParts& wanted, const std::optional<Box>& focus, Tally& tally) {
     search.reset();
     boundary.reset();
@@ -124,7 +131,8 @@ SceneEscapeSearch::SceneEscapeSearch(SceneEscapeSearch&&) noexcept = default;
 SceneEscapeSearch::~SceneEscapeSearch() = default;
 
 // One that holds the solids serves again. Else it grows by a quarter of what is near at most: more
-// costs what it saves.
+// costs what it saves. Where more places are to come than such parts of the scene, or four, all of
+// it serves all of them: on a sheet of pegs, the next ten ways out take a third of the time.
 SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t number,
                                                                    const Box& near,
                                                                    const Point& position,
@@ -132,17 +140,27 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
   if (number == neighbourhoods_.size()) {
     neighbourhoods_.emplace_back();
   }
-  std::unique_ptr<Neighbourhood>& last = neighbourhoods_[number];
   Slots slots = slots_near(positions_.scene(), positions_.query(), near);
-  if (last && last->holds(slots)) {
-    if (!last->search || last->operands.focus) {  // it has none where memory has run out
-      last->begin(positions_.wanted(), std::nullopt, tally_);
+  for (std::size_t k = 0; k <= number; ++k) {
+    Neighbourhood* const found = neighbourhoods_[k].get();
+    if (found && found->holds(slots) && (k == number || found->is_of_use_everywhere())) {
+      if (!found->is_of_use_everywhere()) {
+        found->begin(positions_.wanted(), std::nullopt, tally_);
+      }
+      return *found;
     }
-    return *last;
   }
-  std::optional<Slots> all = last ? std::optional(joined(last->slots, slots)) : std::nullopt;
-  const bool grows = all && all->size() <= slots.size() + slots.size() / 4;
-  last = std::make_unique<Neighbourhood>(positions_, grows ? std::move(*all) : std::move(slots),
+  std::unique_ptr<Neighbourhood>& last = neighbourhoods_[number];
+  const bool serves_all =
+      places_ > 0 && slots.size() * std::min<std::uint64_t>(places_ + 1, most_times) >=
+                         positions_.scene().size();
+  std::optional<Slots> more =
+      serves_all ? std::optional(slots_near(positions_.scene(), positions_.query(), everywhere))
+      : last     ? std::optional(joined(last->slots, slots))
+                 : std::nullopt;
+  const bool grows =
+      serves_all || (more && more->size() <= slots.size() + slots.size() / 4);
+  last = std::make_unique<Neighbourhood>(positions_, grows ? std::move(*more) : std::move(slots),
                                          tally_);
   std::optional<Box> focus;
   if (!grows && distance < infinity) {

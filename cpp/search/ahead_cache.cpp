@@ -28,7 +28,7 @@ constexpr double least_stretch = 0x1p-4;
 
 // What a fill costs beside its search, and what it may cost at most.
 constexpr std::int64_t layout_cost = 64;
-constexpr std::int64_t largest_cost = 16384;
+constexpr std::int64_t largest_cost = 65536;
 
 // How many times its price a fill may cost, and how many fills may be saved for.
 constexpr std::int64_t most_prices = 4;

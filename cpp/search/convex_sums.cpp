@@ -39,6 +39,17 @@ Point furthest_right(const Boundary& boundary, std::span<const Index> piece, con
   return furthest;
 }
 
+// Boxes of pieces where they leave most of a polygon's box empty, as those of frames and combs do.
+// A search by each of them meets fewer solids then than one by all of it.
+std::vector<Box> parts_of(const Box& whole, const std::vector<Box>& pieces) {
+  const auto area = [](const Box& box) { return (box.x1 - box.x0) * (box.y1 - box.y0); };
+  double sum = 0;
+  for (const Box& piece : pieces) {
+    sum += area(piece);
+  }
+  return sum < area(whole) / 2 ? pieces : std::vector<Box>{whole};
+}
+
 // The parameters of a line in a box.
 template <class Range>
 Range range_in(const Box& box, const RelativeLine& line) {
@@ -66,6 +77,7 @@ ConvexSums::ConvexSums(const Operands& operands, double slack, CoveredCells& cel
   for (std::size_t k = 0; k < pieces.count(); ++k) {
     boxes_b_.push_back(box_of_piece(operands.b, pieces.piece(k)));
   }
+  parts_b_ = parts_of(operands.b.relative_bounds(), boxes_b_);
   solids_.resize(operands.a.solids.size());
   most_half_planes_ =
       std::max(half_planes_in_any_case, half_planes_a_vertex * operands.a.vertices.size());
@@ -288,21 +300,21 @@ double ConvexSums::next_reach(const RelativeLine& line, double t) {
   const Point at = line.at(t);
   const Box place = box_of(at, at);
   double furthest = t;
-  const Box b = operands_.b.relative_bounds();
-  operands_.a.cover_index().solids.for_each_near(
-      {at.x - b.x1, at.y - b.y1, at.x - b.x0, at.y - b.y0}, [&](Index solid, const Box&) {
-        any_of(
-            solid, [&](const auto& boxes) { return boxes.around(place); },
-            [&](const Span& half_planes, const Box& box) {
-              const auto in_box = range_in<Range>(box, line);
-              const Range range =
-                  in_box.to > furthest ? cut(line, half_planes, in_box) : Range{1, 0};
-              if (range.from < t && range.to > furthest) {
-                furthest = range.to;
-              }
-              return false;
-            });
-      });
+  const auto go_on = [&](const Span& half_planes, const Box& box) {
+    const auto in_box = range_in<Range>(box, line);
+    const Range range = in_box.to > furthest ? cut(line, half_planes, in_box) : Range{1, 0};
+    if (range.from < t && range.to > furthest) {
+      furthest = range.to;
+    }
+    return false;
+  };
+  for (const Box& b : parts_b_) {
+    operands_.a.cover_index().solids.for_each_near(
+        {at.x - b.x1, at.y - b.y1, at.x - b.x0, at.y - b.y0}, [&](Index solid, const Box&) {
+          any_of(
+              solid, [&](const auto& boxes) { return boxes.around(place); }, go_on);
+        });
+  }
   return std::min(furthest, 1.0);
 }
 
