@@ -7,19 +7,11 @@
 #include <limits>
 
 #include "convex_pieces.hpp"
+#include "part_boxes.hpp"
 
 namespace gcv {
 
 namespace {
-
-Box box_of_piece(const Boundary& boundary, std::span<const Index> piece) {
-  Box box = empty_box;
-  for (const Index i : piece) {
-    const Point p = boundary.relative(i);
-    box = hull_of(box, box_of(p, p));
-  }
-  return box;
-}
 
 // Sums beyond that are not computed: in large scenes with many pieces they would take more memory
 // than all else. In blocks of four half-planes.
@@ -37,17 +29,6 @@ Point furthest_right(const Boundary& boundary, std::span<const Index> piece, con
     }
   }
   return furthest;
-}
-
-// Boxes of pieces where they leave most of a polygon's box empty, as those of frames and combs do.
-// A search by each of them meets fewer solids then than one by all of it.
-std::vector<Box> parts_of(const Box& whole, const std::vector<Box>& pieces) {
-  const auto area = [](const Box& box) { return (box.x1 - box.x0) * (box.y1 - box.y0); };
-  double sum = 0;
-  for (const Box& piece : pieces) {
-    sum += area(piece);
-  }
-  return sum < area(whole) / 2 ? pieces : std::vector<Box>{whole};
 }
 
 // The parameters of a line in a box.
@@ -77,7 +58,9 @@ ConvexSums::ConvexSums(const Operands& operands, double slack, CoveredCells& cel
   for (std::size_t k = 0; k < pieces.count(); ++k) {
     boxes_b_.push_back(box_of_piece(operands.b, pieces.piece(k)));
   }
-  parts_b_ = parts_of(operands.b.relative_bounds(), boxes_b_);
+  const Box bounds = operands.relative_bounds();
+  parts_b_ = part_boxes(operands.b, static_cast<double>(operands.a.solids.size()) /
+                                        (bounds.x1 - bounds.x0) / (bounds.y1 - bounds.y0));
   solids_.resize(operands.a.solids.size());
   most_half_planes_ =
       std::max(half_planes_in_any_case, half_planes_a_vertex * operands.a.vertices.size());

@@ -95,7 +95,7 @@ class ConvexSums {
   double slack_;
   CoveredCells& cells_;
   std::vector<Box> boxes_b_;  // of the pieces of B
-  std::vector<Box> parts_b_;  // boxes that hold all of B: these, or its own
+  std::vector<Box> parts_b_;  // boxes that hold these, to search by
   std::vector<Span> solids_;  // the sums of each, once they are known
   std::vector<Sums> sums_;
   std::vector<HalfPlanes> half_planes_;
