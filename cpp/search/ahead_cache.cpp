@@ -26,7 +26,8 @@ constexpr double box_outside = 1;
 
 constexpr double least_stretch = 0x1p-4;
 
-// What a fill costs beside its search, and what it may cost at most.
+// What a fill costs beside its search, and what it may cost at most. With a quarter of that, outer
+// faces of dense combs in no direction of the axes take three to five times as long.
 constexpr std::int64_t layout_cost = 64;
 constexpr std::int64_t largest_cost = 65536;
 

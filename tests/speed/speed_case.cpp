@@ -513,6 +513,57 @@ void free_region_of_slanting_combs() {
   with_container(mapped(box, slanting), {4}, mapped(comb(teeth, 0.9, 0.1, height), slanting),
                  mapped(positions, slanting), ask_free_region);
 }
+// Squares in a grid, and a long bar among them, all slanting: the box of the bar holds most of
+// them.
+void free_region_of_bar() {
+  constexpr int side = 24;
+  Polygon positions;
+  for (int k = 0; k < side * side; ++k) {
+    positions.push_back({static_cast<double>(k % side), static_cast<double>(k / side)});
+  }
+  const Polygon bar = mapped({{0, 0}, {0.8 * side, 0}, {0.8 * side, 0.2}, {0, 0.2}}, slanting);
+  const Polygon square{{0, 0}, {0.6, 0}, {0.6, 0.6}, {0, 0.6}};
+  const Polygon box{{-1, -1}, {side, -1}, {side, side}, {-1, side}};
+  with_container(mapped(box, slanting), {4}, mapped(square, slanting), mapped(positions, slanting),
+                 [&](const gcv_scene* scene, const gcv_polygon* /*member*/) {
+                   gcv_polygon* moving = nullptr;
+                   require(gcv_polygon_create(bar.front().data(), bar.size(), 0, &moving));
+                   ask_free_region(scene, moving);
+                   gcv_polygon_destroy(moving);
+                 });
+}
+// Ways out of bars for a comb that just fits between them, from all over.
+void ways_out_of_bars() {
+  constexpr int bars = 60;
+  Polygon positions;
+  for (int k = 0; k < bars; ++k) {
+    positions.push_back({0, static_cast<double>(k)});
+  }
+  Polygon teeth;
+  for (int k = 0; k < bars / 2; ++k) {
+    for (const std::array<double, 2>& p : Polygon{{0, 0}, {10, 0}, {10, 0.5}, {0, 0.5}}) {
+      teeth.push_back({p[0], p[1] + k});
+    }
+  }
+  teeth.push_back({-1, bars / 2 - 0.5});
+  teeth.push_back({-1, 0});
+  const Polygon box{{-2, -6}, {22, -6}, {22, bars + 6}, {-2, bars + 6}};
+  with_container(box, {4}, {{0, 0}, {20, 0}, {20, 0.5}, {0, 0.5}}, positions,
+                 [&](const gcv_scene* scene, const gcv_polygon* /*member*/) {
+                   gcv_polygon* moving = nullptr;
+                   require(gcv_polygon_create(teeth.front().data(), teeth.size(), 0, &moving));
+                   constexpr std::size_t count = 12;
+                   Polygon places;
+                   for (std::size_t k = 0; k < count; ++k) {
+                     const auto x = static_cast<double>(k);
+                     places.push_back({1.5 * x, 5 * x + 0.3});
+                   }
+                   std::array<gcv_escape, count> ways;
+                   require(gcv_scene_penetration(scene, moving, places.front().data(), count,
+                                                 nullptr, nullptr, ways.data()));
+                   gcv_polygon_destroy(moving);
+                 });
+}
 // A comb in a pocket of its shape with little play, whose long edges slant, in four directions.
 void distance_in_pocket() {
   constexpr int teeth = 600;
@@ -633,6 +684,7 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"region_of_fit", region_of_fit},
     {"scene_best", best_in_scene},
     {"scene_free_region", free_region_of_scene},
+    {"scene_free_region_of_bar", free_region_of_bar},
     {"scene_free_region_of_combs", free_region_of_combs},
     {"scene_free_region_of_pile", free_region_of_pile},
     {"scene_free_region_of_plate", free_region_of_plate},
@@ -640,7 +692,8 @@ const std::map<std::string, std::function<void()>> other_cases{
     {"scene_free_region_of_slanting_combs", free_region_of_slanting_combs},
     {"scene_pairs_among_holes", pairs_among_holes},
     {"scene_pairs_of_bars", pairs_of_bars},
-    {"scene_penetration", ways_out_of_plate}};
+    {"scene_penetration", ways_out_of_plate},
+    {"scene_ways_out_of_bars", ways_out_of_bars}};
 
 }  // namespace
 }  // namespace gcv::hard
