@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "choose.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -11,32 +12,57 @@ namespace gcv {
 
 namespace {
 
-// Of the sums of an edge of one polygon and a vertex of the other, the share whose boxes hold a sum
-// of two vertices: of some of these, spread over both rings. O(n + m).
+// Of the boxes of a polygon's edges, the mean area.
+double mean_box_of_edges(const Boundary& polygon) {
+  double sum = 0;
+  polygon.layout.for_each_edge([&](Index i, Index next) {
+    const Point& p = polygon.vertices[i];
+    const Point& q = polygon.vertices[next];
+    sum += std::abs((q.x - p.x) * (q.y - p.y));
+  });
+  return sum / polygon.size();
+}
+
+// How many of the boxes of the superset edges lie over a place of the sum, on average.
+double boxes_over_a_place(const Operands& operands, const SupersetCount& count) {
+  const Box& a = operands.a.bounds;
+  const Box& b = operands.b.bounds;
+  const double area = ((a.x1 - a.x0) + (b.x1 - b.x0)) * ((a.y1 - a.y0) + (b.y1 - b.y0));
+  return (static_cast<double>(count.a) * mean_box_of_edges(operands.a) +
+          static_cast<double>(count.b) * mean_box_of_edges(operands.b)) /
+         area;
+}
+
+// Of the sums of an edge of one polygon and a vertex of the other, the share whose boxes hold the
+// middle of one: of some of these, spread over both rings. O(n + m).
 double share_of_boxes(const Boundary& edges, const Boundary& vertices) {
-  constexpr std::uint64_t places = 16;
-  const std::uint64_t boxes = 64 + (edges.size() + vertices.size()) / 16;
+  constexpr std::uint64_t places = 8;
+  const std::uint64_t boxes = 32 + (edges.size() + vertices.size()) / 16;
   // In the middle of one of so many parts of a ring.
   const auto at = [](const Boundary& polygon, std::uint64_t part, std::uint64_t parts) {
     return static_cast<Index>((2 * (part % parts) + 1) * polygon.size() / (2 * parts));
   };
+  const auto box_at = [&](Index i) {
+    return box_of(edges.relative(i), edges.relative(edges.next(i)));
+  };
   int held = 0;
   for (std::uint64_t k = 0; k < boxes; ++k) {
-    const Index i = at(edges, k, boxes);
+    const Box box = box_at(at(edges, k, boxes));
     const Point v = vertices.relative(at(vertices, 37 * k, boxes));
-    const Box edge = box_of(edges.relative(i), edges.relative(edges.next(i)));
     for (std::uint64_t n = 0; n < places; ++n) {
-      const Point p = edges.relative(at(edges, n, places));
+      const Box edge = box_at(at(edges, n, places));
       const Point q = vertices.relative(at(vertices, 11 * n + 3, places));
-      const Point place{p.x + (q.x - v.x), p.y + (q.y - v.y)};
-      held += holds(edge, box_of(place, place)) ? 1 : 0;
+      const Point middle{(edge.x0 + edge.x1) / 2 + (q.x - v.x),
+                         (edge.y0 + edge.y1) / 2 + (q.y - v.y)};
+      held += holds(box, box_of(middle, middle)) ? 1 : 0;
     }
   }
   return held / static_cast<double>(boxes * places);
 }
 
-// How many of the boxes of the superset edges lie over a place of the sum, on average.
-double boxes_over_a_place(const Operands& operands, const SupersetCount& count) {
+// How many of the boxes of the superset edges lie over a place on one of them, on average: many,
+// where all of them lie along a curve.
+double boxes_over_an_edge(const Operands& operands, const SupersetCount& count) {
   return static_cast<double>(count.a) * share_of_boxes(operands.a, operands.b) +
          static_cast<double>(count.b) * share_of_boxes(operands.b, operands.a);
 }
@@ -46,9 +72,11 @@ bool suits_table(const Operands& operands, const SupersetCount& count, std::uint
   if (count.all() > limits::edges_a_vertex * vertices) {
     return count.all() <= limits::most_table_edges;
   }
-  return count.all() <= limits::fewest_edges_to_ask ||
+  return count.all() <= limits::most_boxes_over_a_place ||
          (count.all() <= limits::most_linear_edges &&
-          !(boxes_over_a_place(operands, count) > limits::most_boxes_over_a_place));
+          !(boxes_over_a_place(operands, count) > limits::most_boxes_over_a_place) &&
+          !(count.all() > limits::fewest_edges_to_sample &&
+            boxes_over_an_edge(operands, count) > limits::most_boxes_over_a_place));
 }
 
 }  // namespace

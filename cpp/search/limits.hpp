@@ -20,10 +20,12 @@ inline constexpr std::uint64_t edges_a_vertex = 4;
 // Unless more of their boxes than that lie over a place, on average, as those of long edges in no
 // direction of the axes do: a table looks at them one by one. Turned zigzags of 1,000 to 32,000
 // vertices and a small square take 0.2 to 0.01 of the time by trees then, combs 0.75 to 0.05, stars
-// 1.05 to 0.13; stairs of 4,000 to 12,000 and a slanting bar 0.25 to 0.06. With fewer boxes tables
-// are quicker, up to three times. Where edges are few, they are so anyway.
+// 1.05 to 0.13. With fewer boxes tables are quicker, up to three times.
 inline constexpr std::uint64_t most_boxes_over_a_place = 64;
-inline constexpr std::uint64_t fewest_edges_to_ask = 1024;
+// Of more edges than that, so many over an edge count as well: stairs of 4,000 to 12,000 vertices
+// and a slanting bar take 0.25 to 0.06 of the time by trees then. Stars of 2,000 would take twice
+// the time.
+inline constexpr std::uint64_t fewest_edges_to_sample = 4096;
 // At most so many edges of each polygon may be too short for its grid, or one of so many. They may
 // all lie in one place, as those of a small polygon beside a large one do. With 16 of them sums by
 // tables take 0.03 to 1.05 of the time by trees, with 24 up to 1.15, with 48 up to 1.9.

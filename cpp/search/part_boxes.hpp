@@ -12,7 +12,7 @@
 
 namespace gcv {
 
-class Boundary;
+struct Boundary;
 
 // In relative coordinates, as all boxes here.
 Box box_of_piece(const Boundary& polygon, std::span<const Index> piece);

@@ -71,7 +71,7 @@ TEST(PartBoxes, HoldThePieces) {
           }
         }
       }
-      EXPECT_LT(area(boxes), area({polygon.relative_bounds()}) / 4);
+      EXPECT_LT(area(boxes), 0.6 * area({polygon.relative_bounds()}));
     }
   }
 }
