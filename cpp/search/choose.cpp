@@ -34,27 +34,29 @@ double boxes_over_a_place(const Operands& operands, const SupersetCount& count) 
 }
 
 // Of the sums of an edge of one polygon and a vertex of the other, the share whose boxes hold the
-// middle of one: of some of these, spread over both rings. O(n + m).
+// middle of one: of some of these, spread over both rings by multiples of the golden ratio (Weyl,
+// 1916). O(n + m).
 double share_of_boxes(const Boundary& edges, const Boundary& vertices) {
   constexpr std::uint64_t places = 8;
   const std::uint64_t boxes = 32 + (edges.size() + vertices.size()) / 16;
-  // In the middle of one of so many parts of a ring.
-  const auto at = [](const Boundary& polygon, std::uint64_t part, std::uint64_t parts) {
-    return static_cast<Index>((2 * (part % parts) + 1) * polygon.size() / (2 * parts));
-  };
-  const auto box_at = [&](Index i) {
+  // In the middle of one of so many parts of the ring.
+  const auto edge_at = [&](std::uint64_t part, std::uint64_t parts) {
+    const auto i = static_cast<Index>((2 * part + 1) * edges.size() / (2 * parts));
     return box_of(edges.relative(i), edges.relative(edges.next(i)));
   };
+  const auto vertex_at = [&](std::uint64_t k) {
+    const auto part = static_cast<std::uint32_t>(k * 0x9e3779b9U);  // of 2^32
+    return vertices.relative(static_cast<Index>(std::uint64_t{part} * vertices.size() >> 32U));
+  };
   int held = 0;
-  for (std::uint64_t k = 0; k < boxes; ++k) {
-    const Box box = box_at(at(edges, k, boxes));
-    const Point v = vertices.relative(at(vertices, 37 * k, boxes));
-    for (std::uint64_t n = 0; n < places; ++n) {
-      const Box edge = box_at(at(edges, n, places));
-      const Point q = vertices.relative(at(vertices, 11 * n + 3, places));
-      const Point middle{(edge.x0 + edge.x1) / 2 + (q.x - v.x),
-                         (edge.y0 + edge.y1) / 2 + (q.y - v.y)};
-      held += holds(box, box_of(middle, middle)) ? 1 : 0;
+  for (std::uint64_t n = 0; n < places; ++n) {
+    const Box edge = edge_at(n, places);
+    const Point q = vertex_at(boxes + n);
+    const Point middle{(edge.x0 + edge.x1) / 2 + q.x, (edge.y0 + edge.y1) / 2 + q.y};
+    for (std::uint64_t k = 0; k < boxes; ++k) {
+      const Point v = vertex_at(k);
+      const Point place{middle.x - v.x, middle.y - v.y};
+      held += holds(edge_at(k, boxes), box_of(place, place)) ? 1 : 0;
     }
   }
   return held / static_cast<double>(boxes * places);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "part_boxes.hpp"
 
-#include <algorithm>
 #include <span>
+#include <utility>
 
 #include "boundary.hpp"
 #include "convex_pieces.hpp"

@@ -281,6 +281,26 @@ TEST(SearchableSuperset, TakesTablesWhereFewBoxesLieOverAPlace) {
   EXPECT_TRUE(has_table(true, 40));
 }
 
+// Those of stairs and a slanting bar lie along a line, and leave most of the sum's box empty.
+TEST(SearchableSuperset, TakesTreesWhereBoxesLieAlongACurve) {
+  const auto has_table = [](int steps, double length) {
+    Ring ring;
+    for (int k = 0; k <= 2 * steps; ++k) {
+      ring.push_back({static_cast<double>((k + 1) / 2), static_cast<double>(k / 2)});
+    }
+    ring.push_back({0, static_cast<double>(steps)});
+    const gcv::Boundary a = make_ring(ring, "stairs");
+    const gcv::Boundary b =
+        make_ring(Ring{{0, 0}, {4 * length, length}, {4 * length - 1, length + 4}, {-1, 4}}, "bar");
+    Tally tally;
+    const Operands operands{a, b, merge_directions(a, b, tally)};
+    return SearchableSuperset(operands).table().has_value();
+  };
+  EXPECT_FALSE(has_table(2000, 200));
+  EXPECT_TRUE(has_table(2000, 2));
+  EXPECT_TRUE(has_table(1000, 100));
+}
+
 TEST(PlaceCache, HoldsAllEdgesThatMeetAPiece) {
   std::size_t served = 0;
   std::size_t pieces = 0;
