@@ -9,6 +9,7 @@
 
 #include "box.hpp"
 #include "point.hpp"
+#include "ring_layout.hpp"
 
 namespace gcv {
 
