@@ -9,7 +9,7 @@ types of some of them.
 from __future__ import annotations
 
 import struct
-from ctypes import byref, c_char, c_double, c_uint64
+from ctypes import byref, c_char, c_double, c_uint64, c_void_p
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Callable, ClassVar, NamedTuple, Optional
 
@@ -73,7 +73,9 @@ class Result:
     _questions: ClassVar[dict[str, Callable[[Any], Any]]]
     """How each fact is asked of the library. An exception is a fact too."""
 
-    def __init__(self, handle: Any, facts: Optional[dict[str, Any]] = None) -> None:
+    def __init__(self, handle: Any = None, facts: Optional[dict[str, Any]] = None) -> None:
+        if facts is None and not isinstance(handle, c_void_p):
+            raise TypeError(f"no {type(self).__name__} can be made by itself: functions return it")
         self._handle = handle
         self._facts = {} if facts is None else facts
 

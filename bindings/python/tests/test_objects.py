@@ -34,6 +34,15 @@ def scene() -> gcv.Scene:
     return made
 
 
+@pytest.mark.parametrize("kind", [gcv.OuterFace, gcv.Region])
+@pytest.mark.parametrize("handle", [(), (5,), (b"abcdefgh",), (None,), (SQUARE,)])
+def test_results_are_returned_alone(
+    kind: Callable[..., object], handle: tuple[object, ...]
+) -> None:
+    with pytest.raises(TypeError, match="can be made by itself"):
+        kind(*handle)
+
+
 @pytest.mark.parametrize(
     "make",
     [
