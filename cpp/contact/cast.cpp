@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "convex_cast.hpp"
 #include "relative_pair.hpp"
 #include "solid_cones.hpp"
 #include "swept_box.hpp"
@@ -36,7 +37,13 @@ class FirstEntry {
         room_of_sides_(relative_.slack() * (2 * relative_.reach() + relative_.slack())),
         room_of_paths_(2 * relative_.slack() * size_of(scaled_motion_) +
                        std::numeric_limits<double>::min()) {
-    relative_.descend(*this);
+    const std::optional<ContactName> entered =
+        are_small_and_convex(placed) ? contact_entered(placed, motion, tally) : std::nullopt;
+    if (entered) {
+      add(*entered);
+    } else {
+      relative_.descend(*this);
+    }
   }
 
   // The children that a box meets on its way, the first one first. Seen from B, A moves backwards.

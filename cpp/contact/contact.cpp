@@ -29,6 +29,17 @@ Nearest nearest_on(const EdgeAndVertex& pair, Tally& tally) {
   return side(across, pair.end(), tally) >= 0 ? Nearest::end : Nearest::inside;
 }
 
+ContactName features(const PlacedPair& placed, const ContactName& name, Nearest nearest) {
+  const bool is_end = nearest == Nearest::end;
+  if (nearest == Nearest::inside) {
+    return name;
+  }
+  if (name.kind == ContactKind::edge_vertex) {
+    return {ContactKind::vertex_vertex, is_end ? placed.a.next(name.i) : name.i, name.j};
+  }
+  return {ContactKind::vertex_vertex, name.i, is_end ? placed.b.next(name.j) : name.j};
+}
+
 Gap gap_between(const EdgeAndVertex& pair, Nearest nearest) {
   SumEdge edge = pair.edge;
   if (nearest == Nearest::end) {

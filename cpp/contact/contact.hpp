@@ -56,6 +56,8 @@ EdgeAndVertex edge_and_vertex(const PlacedPair& placed, const ContactName& name)
 // perpendicular between them. Exact.
 enum class Nearest { start, inside, end };
 Nearest nearest_on(const EdgeAndVertex& pair, Tally& tally);
+// The contact of the vertex and that point.
+ContactName features(const PlacedPair& placed, const ContactName& name, Nearest nearest);
 
 // The distance between the vertex and that point of the edge.
 Gap gap_between(const EdgeAndVertex& pair, Nearest nearest);

@@ -2,9 +2,7 @@
 #include "convex_relation.hpp"
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "simd.hpp"
@@ -23,53 +21,6 @@ int compare_along(const SumEdge& e, const SumPoint& p, const SumPoint& q, Tally&
   return e.from.y < e.to.y ? order : -order;
 }
 
-// Four points in a row around a polygon.
-struct FourPoints {
-  SimdDouble x;
-  SimdDouble y;
-};
-
-constexpr std::uint64_t most_vertices = 44;  // of both; above, a descent of the trees is faster
-
-// A polygon, and its vertices in doubles, seen from the first vertex of A.
-class SeenPolygon {
- public:
-  SeenPolygon(const PlacedPolygon& polygon, const Point& offset)
-      : polygon_(polygon), size_(polygon.boundary.size()) {
-    const PointVector& vertices = polygon.boundary.vertices;
-    const Point& first = vertices[0];
-    for (Index i = 0; i < size_; ++i) {
-      x_[i] = (vertices[i].x - first.x) + offset.x;
-      y_[i] = (vertices[i].y - first.y) + offset.y;
-    }
-    for (Index i = 0; i <= SimdDouble::width; ++i) {
-      x_[size_ + i] = x_[i];
-      y_[size_ + i] = y_[i];
-    }
-  }
-
-  [[nodiscard]] Index size() const { return size_; }
-  [[nodiscard]] SumPoint vertex(Index i) const { return polygon_.vertex(i); }
-  [[nodiscard]] SumEdge edge(Index i) const { return polygon_.edge(i); }
-  [[nodiscard]] SumPoint end_of_edge(Index i) const { return vertex(around(i + 1)); }
-
-  // Of a number that is less than twice the size.
-  [[nodiscard]] Index around(Index i) const { return i < size_ ? i : i - size_; }
-  [[nodiscard]] FourPoints four_times(Index i) const {
-    return {SimdDouble::of(x_[i]), SimdDouble::of(y_[i])};
-  }
-  // From a vertex on, or from the one behind the last.
-  [[nodiscard]] FourPoints four_from(Index i) const {
-    return {SimdDouble::load(x_ + i), SimdDouble::load(y_ + i)};
-  }
-
- private:
-  const PlacedPolygon& polygon_;
-  const Index size_;
-  double x_[most_vertices + SimdDouble::width + 1];  // begin anew behind the last one
-  double y_[most_vertices + SimdDouble::width + 1];
-};
-
 // How far points lie on the left of lines, as cross products.
 SimdDouble left_of(const FourPoints& from, const FourPoints& to, const FourPoints& points) {
   return (to.x - from.x) * (points.y - from.y) - (to.y - from.y) * (points.x - from.x);
@@ -83,7 +34,7 @@ class SeparatingEdge {
       : polygon_(polygon), other_(other), room_(room), tally_(tally) {}
 
   // Nothing if there is none.
-  std::optional<Relation> find() {
+  std::optional<ConvexSeparation> find() {
     for (Index i = 0; i < polygon_.size();) {
       const auto passed = static_cast<Index>(std::countr_one(edges_with_left_on_left(i)));
       i += passed;
@@ -91,7 +42,7 @@ class SeparatingEdge {
         continue;
       }
       if (is_to_the_right(i)) {
-        return meets(i) ? Relation::touching : Relation::apart;
+        return ConvexSeparation{meets(i) ? Relation::touching : Relation::apart, &polygon_, i};
       }
       ++i;
     }
@@ -136,7 +87,7 @@ class SeparatingEdge {
   // Do they touch on the line?
   bool meets(Index edge) {
     const SumEdge e = polygon_.edge(edge);
-    const SumPoint end = polygon_.end_of_edge(edge);
+    const SumPoint end = polygon_.vertex(polygon_.next(edge));
     bool is_before = true;
     bool is_behind = true;
     for (Index k = 0; k < on_line_count_; ++k) {
@@ -156,34 +107,14 @@ class SeparatingEdge {
   Index on_line_count_ = 0;
 };
 
-// More than the cross product of an edge and a vector between vertices is off by, in doubles.
-//
-// Differences of coordinates are off by less than 0.52 slack. The sizes of both coordinates of a
-// vector are together below reach + slack. So the product is off by less than
-// 1.1 slack (reach + slack), as long as nothing overflows.
-double room_of(const PlacedPair& placed, const Point& offset) {
-  const double slack = placed.slack(offset);
-  const double reach = extents_of(placed.a.boundary.bounds) + extents_of(placed.b.boundary.bounds) +
-                       (std::abs(offset.x) + std::abs(offset.y));
-  return reach < 0x1p500 ? 2 * slack * (reach + slack) + std::numeric_limits<double>::min()
-                         : infinity;
-}
-
 }  // namespace
 
-bool are_small_and_convex(const PlacedPair& placed) {
-  const Boundary& a = placed.a.boundary;
-  const Boundary& b = placed.b.boundary;
-  return a.is_convex && b.is_convex && std::uint64_t{a.size()} + b.size() <= most_vertices;
-}
-
-Relation convex_relation(const PlacedPair& placed, Tally& tally) {
-  const Point offset = placed.offset();
-  const SeenPolygon a(placed.a, {0, 0});
-  const SeenPolygon b(placed.b, offset);
-  const double room = room_of(placed, offset);
-  const std::optional<Relation> found = SeparatingEdge(a, b, room, tally).find();
-  return found ? *found : SeparatingEdge(b, a, room, tally).find().value_or(Relation::overlapping);
+ConvexSeparation convex_separation(const ConvexPair& pair, Tally& tally) {
+  if (const auto found = SeparatingEdge(pair.a, pair.b, pair.room, tally).find()) {
+    return *found;
+  }
+  const auto found = SeparatingEdge(pair.b, pair.a, pair.room, tally).find();
+  return found ? *found : ConvexSeparation{Relation::overlapping, nullptr, 0};
 }
 
 }  // namespace gcv

@@ -3,17 +3,22 @@
 // The relation of two convex polygons, by a line that separates them.
 #pragma once
 
-#include "polygon_pair.hpp"
+#include "convex_pair.hpp"
 
 namespace gcv {
 
-// So few vertices of both that all of them are looked at.
-[[nodiscard]] bool are_small_and_convex(const PlacedPair& placed);
+struct ConvexSeparation {
+  Relation relation;
+  // Unless they overlap: all of the other polygon lies on the line of this edge of that one, or to
+  // the right of it.
+  const SeenPolygon* polygon;
+  Index edge;
+};
 
 // Exact. Two convex polygons do not overlap just when all of one lies on the line of an edge of the
 // other, or to the right of it: an edge of their sum with one reflected says so. They touch where
 // both meet that line. O(n m) at most; mostly O(n + m), for neighbouring edges have the same vertex
 // on their left.
-Relation convex_relation(const PlacedPair& placed, Tally& tally);
+ConvexSeparation convex_separation(const ConvexPair& pair, Tally& tally);
 
 }  // namespace gcv

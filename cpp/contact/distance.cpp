@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
-#include <utility>
 
+#include "convex_distance.hpp"
 #include "relative_pair.hpp"
 
 namespace gcv {
@@ -92,53 +92,110 @@ class NearestPairs {
   boost::container::small_vector<Candidate, 16> candidates_;
 };
 
-// The features that are nearest to each other in such a pair.
-ContactName features(const PlacedPair& placed, const ContactName& name, Nearest nearest) {
-  const bool is_end = nearest == Nearest::end;
-  if (nearest == Nearest::inside) {
-    return name;
+// The nearest of pairs of an edge and a vertex, exactly; of several the first in the order of
+// contacts.
+class NearestOf {
+ public:
+  NearestOf(const PlacedPair& placed, Tally& tally) : placed_(placed), tally_(tally) {}
+
+  void consider(const ContactName& candidate) {
+    const EdgeAndVertex pair = edge_and_vertex(placed_, candidate);
+    const Nearest nearest = nearest_on(pair, tally_);
+    const ContactName name = features(placed_, candidate, nearest);
+    if (best_ && best_->name == name) {
+      return;
+    }
+    const Gap gap = gap_between(pair, nearest);
+    const int order = best_ ? compare_gaps(gap, best_->gap, tally_) : -1;
+    if (order < 0 || (order == 0 && order_of(placed_, name) < order_of(placed_, best_->name))) {
+      best_ = {name, gap};
+    }
   }
-  if (name.kind == ContactKind::edge_vertex) {
-    return {ContactKind::vertex_vertex, is_end ? placed.a.next(name.i) : name.i, name.j};
+  [[nodiscard]] const std::optional<NearestFeatures>& found() const { return best_; }
+
+ private:
+  const PlacedPair& placed_;
+  Tally& tally_;
+  std::optional<NearestFeatures> best_;
+};
+
+// Of two polygons that are apart, if they are no further than a distance.
+std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, double distance,
+                                                Tally& tally) {
+  NearestOf nearest(placed, tally);
+  static_cast<void>(NearestPairs(placed, distance).any([&](const ContactName& candidate) {
+    nearest.consider(candidate);
+    return false;
+  }));
+  return nearest.found();
+}
+
+// Of features that are known to be the nearest.
+NearestFeatures with_gap(const PlacedPair& placed, const ContactName& name, Tally& tally) {
+  return {name, name.kind == ContactKind::vertex_vertex
+                    ? gap_of(placed, name, tally)
+                    : gap_between(edge_and_vertex(placed, name), Nearest::inside)};
+}
+
+// Of two edges that face each other.
+std::optional<NearestFeatures> first_of_facing(const PlacedPair& placed, Index i, Index j,
+                                               Tally& tally) {
+  NearestOf nearest(placed, tally);
+  nearest.consider({ContactKind::edge_vertex, i, j});
+  nearest.consider({ContactKind::edge_vertex, i, placed.b.next(j)});
+  nearest.consider({ContactKind::vertex_edge, i, j});
+  nearest.consider({ContactKind::vertex_edge, placed.a.next(i), j});
+  return nearest.found();
+}
+
+// The relation, and what is known of the nearest features.
+struct Answer {
+  Relation relation;
+  NearestOfConvex nearest;
+};
+constexpr NearestOfConvex unknown{NearestOfConvex::Kind::unknown, {}};
+Answer ask(const PlacedPair& placed, Tally& tally) {
+  if (!are_small_and_convex(placed)) {
+    return {relation(placed, tally), unknown};
   }
-  return {ContactKind::vertex_vertex, name.i, is_end ? placed.b.next(name.j) : name.j};
+  const ConvexPair pair(placed);
+  const ConvexSeparation separation = convex_separation(pair, tally);
+  return {separation.relation, separation.relation == Relation::apart
+                                   ? nearest_of_convex(placed, pair, separation, tally)
+                                   : unknown};
 }
 
 }  // namespace
 
-std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, Tally& tally,
-                                                double distance) {
-  std::optional<NearestFeatures> best;
-  static_cast<void>(NearestPairs(placed, distance).any([&](const ContactName& candidate) {
-    const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
-    const Nearest nearest = nearest_on(pair, tally);
-    const ContactName name = features(placed, candidate, nearest);
-    if (best && best->name == name) {
-      return false;
-    }
-    const Gap gap = gap_between(pair, nearest);
-    const int order = best ? compare_gaps(gap, best->gap, tally) : -1;
-    if (order < 0 || (order == 0 && order_of(placed, name) < order_of(placed, best->name))) {
-      best = {name, gap};
-    }
-    return false;
-  }));
-  return best;
+NearestOfPair nearest_of_pair(const PlacedPair& placed, double distance, Tally& tally) {
+  using Kind = NearestOfConvex::Kind;
+  const auto [relation, nearest] = ask(placed, tally);
+  if (relation != Relation::apart) {
+    return {relation, std::nullopt};
+  }
+  switch (nearest.kind) {
+    case Kind::alone:
+      return {relation, with_gap(placed, nearest.name, tally)};
+    case Kind::facing:
+      return {relation, first_of_facing(placed, nearest.edge_of_a, nearest.edge_of_b, tally)};
+    default:
+      return {relation, nearest_features(placed, distance, tally)};
+  }
 }
 
 Separation distance(const PlacedPair& placed, Tally& tally) {
-  const Relation relation = gcv::relation(placed, tally);
+  const auto [relation, features] = nearest_of_pair(placed, infinity, tally);
   if (relation != Relation::apart) {
     return {relation, 0, {}};
   }
-  const std::optional<NearestFeatures> features = nearest_features(placed, tally);
   assert(features);
   const Contact nearest = contact_across(placed, features->name, features->gap, tally);
   return {relation, nearest.gap, nearest};
 }
 
 std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally) {
-  const Relation relation = gcv::relation(placed, tally);
+  const auto [relation, nearest] =
+      distance > 0 ? ask(placed, tally) : Answer{gcv::relation(placed, tally), unknown};
   if (relation != Relation::apart) {
     return relation;
   }
@@ -146,8 +203,11 @@ std::optional<Relation> relation_within(const PlacedPair& placed, double distanc
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
     return compare_gap(gap_between(pair, nearest_on(pair, tally)), distance, tally) <= 0;
   };
-  return distance > 0 && NearestPairs(placed, distance).any(is_within) ? std::optional(relation)
-                                                                       : std::nullopt;
+  const bool is_near = distance > 0 && (nearest.kind != NearestOfConvex::Kind::unknown
+                                            ? compare_gap(with_gap(placed, nearest.name, tally).gap,
+                                                          distance, tally) <= 0
+                                            : NearestPairs(placed, distance).any(is_within));
+  return is_near ? std::optional(relation) : std::nullopt;
 }
 
 }  // namespace gcv

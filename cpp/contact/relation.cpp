@@ -276,7 +276,7 @@ bool is_inside(const PlacedPair& placed, const Point& offset, const Rings& touch
 // Asks the edges first, if there are some, and puts those there that have shown an overlap.
 Relation relation(const PlacedPair& placed, std::optional<EdgePair>& edges, Tally& tally) {
   if (are_small_and_convex(placed)) {
-    return convex_relation(placed, tally);
+    return convex_separation(ConvexPair(placed), tally).relation;
   }
   OverlapSearch search(placed, tally);
   if ((edges && search.meet(edges->i, edges->j)) || search.run()) {

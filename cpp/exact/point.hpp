@@ -26,6 +26,11 @@ inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 inline Point negated(const Point& p) { return {-p.x, -p.y}; }
 
+// Rounded.
+inline Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
+inline double dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y; }
+inline double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
+
 // Lexicographic order, first by x, then by y.
 inline bool lexicographically_less(const Point& p, const Point& q) {
   return p.x < q.x || (p.x == q.x && p.y < q.y);

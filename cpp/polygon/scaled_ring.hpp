@@ -37,10 +37,6 @@ class ScaledRing {
   int exponent_ = 0;
 };
 
-inline Point difference(const Point& p, const Point& q) { return {p.x - q.x, p.y - q.y}; }
-inline double dot(const Point& p, const Point& q) { return p.x * q.x + p.y * q.y; }
-inline double cross(const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; }
-
 // The distance of a point from a segment ab.
 struct DistanceBound {
   double bound;  // at least the distance

@@ -70,17 +70,15 @@ class NearestSolid {
 
   void consider(const Solid& solid) {
     const PlacedSolid at(solid, moving_, position_);
-    const Relation relation = gcv::relation(at.placed, tally_);
+    const auto [relation, nearest] = is_apart()
+                                         ? nearest_of_pair(at.placed, limit_, tally_)
+                                         : NearestOfPair{gcv::relation(at.placed, tally_), {}};
     if (relation != Relation::apart) {
       id_ = is_apart() ? solid.id : std::min(id_, solid.id);
       relation_ = std::min(relation_, relation);
       limit_ = 0;
       return;
     }
-    if (!is_apart()) {
-      return;
-    }
-    const auto nearest = nearest_features(at.placed, tally_, limit_);
     if (!nearest) {
       return;
     }

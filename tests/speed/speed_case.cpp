@@ -596,25 +596,43 @@ void distance_in_pocket() {
     map = {.xx = -map.yx, .xy = -map.yy, .yx = map.xx, .yy = map.xy};
   }
 }
-// An octagon about the mouths of a comb whose long edges slant.
-void distance_beside_comb() {
-  const Polygon turned_comb = mapped(comb(1000, 1, 1, 1000), slanting);
-  const Polygon turned_octagon = mapped(scaled(octagon, 50), slanting);
+void ask_distances(const Pair& pair, const Polygon& positions) {
   gcv_polygon* a = nullptr;
   gcv_polygon* b = nullptr;
-  require(gcv_polygon_create(turned_comb.front().data(), turned_comb.size(), 0, &a));
-  require(gcv_polygon_create(turned_octagon.front().data(), turned_octagon.size(), 0, &b));
-  Polygon positions;
-  for (int k = 0; k < 8; ++k) {
-    positions.push_back({400.0 + 170 * k, 1240.0 + 7 * k});
-  }
-  positions = mapped(positions, slanting);
-  std::array<gcv_separation, 8> separations;
+  require(gcv_polygon_create(pair.a.front().data(), pair.a.size(), 0, &a));
+  require(gcv_polygon_create(pair.b.front().data(), pair.b.size(), 0, &b));
+  std::vector<gcv_separation> separations(positions.size());
   require(
       gcv_distance(a, b, positions.front().data(), positions.size(), nullptr, separations.data()));
   gcv_polygon_destroy(b);
   gcv_polygon_destroy(a);
 }
+
+// An octagon about the mouths of a comb whose long edges slant.
+void distance_beside_comb() {
+  Polygon positions;
+  for (int k = 0; k < 8; ++k) {
+    positions.push_back({400.0 + 170 * k, 1240.0 + 7 * k});
+  }
+  ask_distances({mapped(comb(1000, 1, 1, 1000), slanting), mapped(scaled(octagon, 50), slanting)},
+                mapped(positions, slanting));
+}
+
+// Small convex polygons all round each other; some have parallel edges.
+void distances_of_convex() {
+  const Polygon slab = scaled({{-4, -1}, {4, -1}, {4, 1}, {-4, 1}}, 0.25);
+  Polygon positions;
+  for (int k = 0; k < 100; ++k) {
+    positions.push_back({(2.2 + 0.01 * k) * std::cos(k), (2.2 + 0.01 * k) * std::sin(k)});
+  }
+  const std::array<Polygon, 3> shapes{circle(3), mapped(circle(2), rotation(5, 2)), slab};
+  for (const Polygon& a : shapes) {
+    for (const Polygon& b : shapes) {
+      ask_distances({a, b}, positions);
+    }
+  }
+}
+
 void best_in_scene() {
   Random random(6);
   Scene(random, 300, 600).find_best();
@@ -679,6 +697,7 @@ void region_of_fit() {
 const std::map<std::string, std::function<void()>> other_cases{
     {"distance_beside_comb", distance_beside_comb},
     {"distance_in_pocket", distance_in_pocket},
+    {"distances_of_convex", distances_of_convex},
     {"huge_stars", huge_stars},
     {"layout_of_keys", layout_of_keys},
     {"region_of_fit", region_of_fit},
