@@ -150,14 +150,15 @@ struct Many {
   std::string message;
 
   /** The results; throws the first failure. */
-  std::vector<T> value() && {
+  std::vector<T>& value() & {
     for (const gcv_status status : statuses) {
       if (status != GCV_OK) {
         throw Error(status, message);
       }
     }
-    return std::move(results);
+    return results;
   }
+  std::vector<T> value() && { return std::move(value()); }
 };
 
 namespace detail {
