@@ -10,6 +10,7 @@
 #include <numbers>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "boundary.hpp"
@@ -162,6 +163,20 @@ TEST(ConvexDistance, IsUnknownWhereSquaresOverflow) {
   const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, tally);
   if (nearest.kind != Kind::unknown) {
     expect_nearest(placed, nearest, tally);
+  }
+}
+
+// An edge that does not separate them leads to a vertex that nothing of its polygon is beyond.
+TEST(ConvexDistance, IsProven) {
+  Tally tally;
+  const Boundary a = make_ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, "a");
+  const Boundary b = make_ring({{1, 6}, {3, 6}, {2, 9}}, "b");
+  const PolygonPair polygons(a, b);
+  const PlacedPair placed(polygons, {0, 0});
+  const ConvexPair pair(placed);
+  for (const auto& [edge, kind] : {std::pair<Index, Kind>{0, Kind::unknown}, {2, Kind::facing}}) {
+    const ConvexSeparation separation{Relation::apart, &pair.a, edge};
+    EXPECT_EQ(nearest_of_convex(placed, pair, separation, tally).kind, kind) << edge;
   }
 }
 
