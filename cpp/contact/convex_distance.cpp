@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-3.0-or-later
 #include "convex_distance.hpp"
 
+#include <cmath>
 #include <optional>
 
 #include "predicates.hpp"
@@ -27,10 +28,9 @@ class NearestWalk {
 
   NearestWalk(const SeenPolygon& p, const SeenPolygon& q) : p_(p), q_(q) {}
 
-  // From an edge of P.
-  [[nodiscard]] std::optional<Features> run(Index edge) const {
+  // From an edge of P, and the vertex of Q that is nearest to its line.
+  [[nodiscard]] std::optional<Features> run(Index edge, Index j) const {
     const Point way = p_.way(edge);
-    const Index j = nearest_to_line(p_.point(edge), way);
     if (dot(difference(q_.point(j), p_.point(edge)), way) < 0) {
       return turn_on<false>(edge, j);
     }
@@ -41,19 +41,6 @@ class NearestWalk {
   }
 
  private:
-  [[nodiscard]] Index nearest_to_line(const Point& from, const Point& way) const {
-    Index nearest = 0;
-    double most = -infinity;
-    for (Index j = 0; j < q_.size(); ++j) {
-      const double left = cross(way, difference(q_.point(j), from));
-      if (left > most) {
-        most = left;
-        nearest = j;
-      }
-    }
-    return nearest;
-  }
-
   // u turns from where the two vertices begin to be furthest along it, to the left or to the right.
   template <bool to_left>
   [[nodiscard]] std::optional<Features> turn_on(Index i, Index j) const {
@@ -91,6 +78,23 @@ class NearestWalk {
   const SeenPolygon& p_;
   const SeenPolygon& q_;
 };
+
+// The vertex of Q that is nearest to the line of an edge of P, which separates them, and how far it
+// lies on its left, in times of the length of the edge: not above 0.
+struct NearestToLine {
+  Index vertex;
+  double left;
+};
+NearestToLine nearest_to_line(const SeenPolygon& p, Index edge, const SeenPolygon& q) {
+  NearestToLine nearest{0, -infinity};
+  for (Index j = 0; j < q.size(); ++j) {
+    const double left = cross(p.way(edge), difference(q.point(j), p.point(edge)));
+    if (left > nearest.left) {
+      nearest = {j, left};
+    }
+  }
+  return nearest;
+}
 
 using Kind = NearestOfConvex::Kind;
 
@@ -160,11 +164,19 @@ NearestOfConvex proven(const PlacedPair& placed, const ConvexPair& pair, const C
 }  // namespace
 
 NearestOfConvex nearest_of_convex(const PlacedPair& placed, const ConvexPair& pair,
-                                  const ConvexSeparation& separation, Tally& tally) {
+                                  const ConvexSeparation& separation, double distance,
+                                  Tally& tally) {
   const bool p_is_a = separation.polygon == &pair.a;
-  const NearestWalk walk(*separation.polygon, p_is_a ? pair.b : pair.a);
+  const SeenPolygon& p = *separation.polygon;
+  const SeenPolygon& q = p_is_a ? pair.b : pair.a;
+  const auto [vertex, left] = nearest_to_line(p, separation.edge, q);
+  const Point way = p.way(separation.edge);
+  const double length = std::sqrt(dot(way, way)) + pair.slack;
+  if (-left - pair.room > (1 + 0x1p-50) * distance * length) {
+    return {Kind::further, {}};
+  }
   using Features = NearestWalk::Features;
-  const std::optional<Features> found = walk.run(separation.edge);
+  const std::optional<Features> found = NearestWalk(p, q).run(separation.edge, vertex);
   if (!found) {
     return {Kind::unknown, {}};
   }

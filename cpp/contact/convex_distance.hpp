@@ -9,8 +9,9 @@
 namespace gcv {
 
 struct NearestOfConvex {
-  // These features are the nearest alone, or beside others of two edges that face each other.
-  enum class Kind { unknown, alone, facing };
+  // These features are the nearest alone, or beside others of two edges that face each other; or
+  // all are further than the distance that was asked about.
+  enum class Kind { unknown, alone, facing, further };
   Kind kind;
   ContactName name;
   Index edge_of_a = 0;  // that face each other
@@ -19,8 +20,10 @@ struct NearestOfConvex {
 
 // Of two that are apart, by a walk round both at once in doubles, from a separating edge to the
 // direction along which the gap is largest. What it finds is proven exactly; unknown where it went
-// astray, as where squares of coordinates overflow. O(n + m).
+// astray, as where squares of coordinates overflow. Further where the first edge tells it. O(n +
+// m).
 NearestOfConvex nearest_of_convex(const PlacedPair& placed, const ConvexPair& pair,
-                                  const ConvexSeparation& separation, Tally& tally);
+                                  const ConvexSeparation& separation, double distance,
+                                  Tally& tally);
 
 }  // namespace gcv

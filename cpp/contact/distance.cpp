@@ -153,23 +153,24 @@ struct Answer {
   Relation relation;
   NearestOfConvex nearest;
 };
-constexpr NearestOfConvex unknown{NearestOfConvex::Kind::unknown, {}};
-Answer ask(const PlacedPair& placed, Tally& tally) {
+using Kind = NearestOfConvex::Kind;
+constexpr NearestOfConvex unknown{Kind::unknown, {}};
+constexpr NearestOfConvex further{Kind::further, {}};
+Answer ask(const PlacedPair& placed, double distance, Tally& tally) {
   if (!are_small_and_convex(placed)) {
     return {relation(placed, tally), unknown};
   }
   const ConvexPair pair(placed);
   const ConvexSeparation separation = convex_separation(pair, tally);
   return {separation.relation, separation.relation == Relation::apart
-                                   ? nearest_of_convex(placed, pair, separation, tally)
+                                   ? nearest_of_convex(placed, pair, separation, distance, tally)
                                    : unknown};
 }
 
 }  // namespace
 
 NearestOfPair nearest_of_pair(const PlacedPair& placed, double distance, Tally& tally) {
-  using Kind = NearestOfConvex::Kind;
-  const auto [relation, nearest] = ask(placed, tally);
+  const auto [relation, nearest] = ask(placed, distance, tally);
   if (relation != Relation::apart) {
     return {relation, std::nullopt};
   }
@@ -178,6 +179,8 @@ NearestOfPair nearest_of_pair(const PlacedPair& placed, double distance, Tally& 
       return {relation, with_gap(placed, nearest.name, tally)};
     case Kind::facing:
       return {relation, first_of_facing(placed, nearest.edge_of_a, nearest.edge_of_b, tally)};
+    case Kind::further:
+      return {relation, std::nullopt};
     default:
       return {relation, nearest_features(placed, distance, tally)};
   }
@@ -195,18 +198,19 @@ Separation distance(const PlacedPair& placed, Tally& tally) {
 
 std::optional<Relation> relation_within(const PlacedPair& placed, double distance, Tally& tally) {
   const auto [relation, nearest] =
-      distance > 0 ? ask(placed, tally) : Answer{gcv::relation(placed, tally), unknown};
+      distance > 0 ? ask(placed, distance, tally) : Answer{gcv::relation(placed, tally), further};
   if (relation != Relation::apart) {
     return relation;
   }
-  const auto is_within = [&](const ContactName& candidate) {
+  const auto is_within = [&](const Gap& gap) { return compare_gap(gap, distance, tally) <= 0; };
+  const auto is_candidate_within = [&](const ContactName& candidate) {
     const EdgeAndVertex pair = edge_and_vertex(placed, candidate);
-    return compare_gap(gap_between(pair, nearest_on(pair, tally)), distance, tally) <= 0;
+    return is_within(gap_between(pair, nearest_on(pair, tally)));
   };
-  const bool is_near = distance > 0 && (nearest.kind != NearestOfConvex::Kind::unknown
-                                            ? compare_gap(with_gap(placed, nearest.name, tally).gap,
-                                                          distance, tally) <= 0
-                                            : NearestPairs(placed, distance).any(is_within));
+  const bool is_near =
+      nearest.kind == Kind::unknown
+          ? NearestPairs(placed, distance).any(is_candidate_within)
+          : nearest.kind != Kind::further && is_within(with_gap(placed, nearest.name, tally).gap);
   return is_near ? std::optional(relation) : std::nullopt;
 }
 

@@ -122,6 +122,7 @@ TEST(ConvexDistance, NamesWhatIsNearest) {
   int apart = 0;
   int facing = 0;
   int unknown = 0;
+  int further = 0;
   for (int k = 0; k < 4000; ++k) {
     SCOPED_TRACE(std::to_string(k));
     const Boundary a = make_ring(any_convex(random), "a");
@@ -137,16 +138,23 @@ TEST(ConvexDistance, NamesWhatIsNearest) {
     const ConvexSeparation separation = convex_separation(pair, tally);
     if (separation.relation == Relation::apart) {
       ++apart;
-      const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, tally);
+      const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, infinity, tally);
       unknown += nearest.kind == Kind::unknown ? 1 : 0;
       facing += nearest.kind == Kind::facing ? 1 : 0;
       if (nearest.kind != Kind::unknown) {
         expect_nearest(placed, nearest, tally);
+        const double gap = nearest_gap(gap_of(placed, nearest.name, tally), tally);
+        const auto kind_within = [&](double distance) {
+          return nearest_of_convex(placed, pair, separation, distance, tally).kind;
+        };
+        EXPECT_EQ(kind_within(gap), nearest.kind);
+        further += kind_within(0.9 * gap) == Kind::further ? 1 : 0;
       }
     }
   }
   EXPECT_GT(apart, 2000);
   EXPECT_GT(facing, 200);
+  EXPECT_GT(further, apart / 3);
   EXPECT_LT(unknown, apart / 20);  // of thin ones
 }
 
@@ -160,7 +168,7 @@ TEST(ConvexDistance, IsUnknownWhereSquaresOverflow) {
   const ConvexPair pair(placed);
   const ConvexSeparation separation = convex_separation(pair, tally);
   ASSERT_EQ(separation.relation, Relation::apart);
-  const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, tally);
+  const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, infinity, tally);
   if (nearest.kind != Kind::unknown) {
     expect_nearest(placed, nearest, tally);
   }
@@ -176,7 +184,7 @@ TEST(ConvexDistance, IsProven) {
   const ConvexPair pair(placed);
   for (const auto& [edge, kind] : {std::pair<Index, Kind>{0, Kind::unknown}, {2, Kind::facing}}) {
     const ConvexSeparation separation{Relation::apart, &pair.a, edge};
-    EXPECT_EQ(nearest_of_convex(placed, pair, separation, tally).kind, kind) << edge;
+    EXPECT_EQ(nearest_of_convex(placed, pair, separation, infinity, tally).kind, kind) << edge;
   }
 }
 
