@@ -101,6 +101,19 @@ export function caught<T>(make: () => T): T | GcvError {
   }
 }
 
+/** Whether the value is an array whose buffer was transferred, or shrank away from it. @internal */
+export function hasLostBuffer(value: unknown): boolean {
+  if (!ArrayBuffer.isView(value) || value instanceof DataView) {
+    return false;
+  }
+  try {
+    (value as Uint8Array).at(0);
+    return false;
+  } catch {
+    return true;
+  }
+}
+
 /** The key of what an object of the library is in a few words. @internal */
 export const words = Symbol("words");
 
@@ -119,6 +132,9 @@ function textOf(value: unknown): string {
   }
   if (typeof value === "object" && value !== null && words in value) {
     return String(value[words]);
+  }
+  if (hasLostBuffer(value)) {
+    return "an array that has lost its buffer";
   }
   const withBigInts = (_: string, part: unknown) => (typeof part === "bigint" ? `${part}n` : part);
   try {

@@ -148,20 +148,29 @@ function parsed(text: string): unknown {
 }
 
 function ringsOfGeoJSON(source: unknown): Ring[] {
-  const { type, ...members } = Object(source) as Record<string, unknown>;
-  switch (type) {
-    case "Feature":
-      return ringsOfGeoJSON(members["geometry"]);
-    case "FeatureCollection":
-      return ringsOfGeoJSON(only(members["features"], type));
-    case "MultiPolygon":
-      return ringsOfCoordinates(only(members["coordinates"], type));
-    case "Polygon":
-      return ringsOfCoordinates(members["coordinates"]);
-    case undefined:
-      throw unfit("polygon", source, "a geometry");
-    default:
-      throw noPolygon(`a geometry of type ${short(type)} is not a polygon`);
+  const outer = new Set<unknown>();
+  for (let geometry = source; ; ) {
+    const { type, ...members } = Object(geometry) as Record<string, unknown>;
+    if (outer.has(geometry)) {
+      throw noPolygon(`a ${type} that is in itself is not a polygon`);
+    }
+    outer.add(geometry);
+    switch (type) {
+      case "Feature":
+        geometry = members["geometry"];
+        break;
+      case "FeatureCollection":
+        geometry = only(members["features"], type);
+        break;
+      case "MultiPolygon":
+        return ringsOfCoordinates(only(members["coordinates"], type));
+      case "Polygon":
+        return ringsOfCoordinates(members["coordinates"]);
+      case undefined:
+        throw unfit("polygon", geometry, "a geometry");
+      default:
+        throw noPolygon(`a geometry of type ${short(type)} is not a polygon`);
+    }
   }
 }
 

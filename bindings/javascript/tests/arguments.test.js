@@ -61,6 +61,20 @@ test("what is no array of polygons", () => {
   refuses([[() => gcv.minkowskiSumMany(freed, []), "a: <Polygon, freed> is not an array of polygons"]]);
 });
 
+test("arrays whose buffers were transferred", () => {
+  const points = Float64Array.of(0, 0, 1, 0, 0, 1);
+  structuredClone(points.buffer, { transfer: [points.buffer] });
+  const lost = "an array that has lost its buffer is not";
+  refuses([
+    [() => new gcv.Polygon(points), `polygon: ${lost} a polygon, and none can be made from it`],
+    [() => new gcv.Polygon([points]), `polygon: vertex 0: ${lost} a pair of numbers`],
+    [() => gcv.relation(square, square, points), `translation: ${lost} a pair of numbers, nor an array of pairs`],
+    [() => square.translated(points), `vector: ${lost} a pair of numbers`],
+    [() => scene.remove(points), `ids: ${lost} an id, nor an array of them`],
+  ]);
+  assert.throws(() => new gcv.Polygon(new Float64Array()), { status: gcv.Status.DEGENERATE });
+});
+
 test("what is no id", () => {
   const what = "is not an id, nor an array of them";
   refuses([

@@ -98,6 +98,8 @@ test("shapes as sources", () => {
 });
 
 test("sources that are no polygons", () => {
+  const feature = { type: "Feature" };
+  feature.geometry = { type: "FeatureCollection", features: [feature] };
   const cases = [
     [[[0, 0], [1, 0]], Status.DEGENERATE, /^polygon: /],
     [[[0, 0], [2, 0], [0, 2], [2, 2]], Status.NOT_SIMPLE, /edges 1 and 3/],
@@ -120,6 +122,7 @@ test("sources that are no polygons", () => {
     [{ type: 5n }, Status.INVALID_ARGUMENT, /a geometry of type 5n is not/],
     [{ type: "Polygon", coordinates: 5n }, Status.INVALID_ARGUMENT, /5n in a geometry is not a list/],
     [{ type: "MultiPolygon", coordinates: [] }, Status.INVALID_ARGUMENT, /0 parts/],
+    [feature, Status.INVALID_ARGUMENT, /^polygon: a Feature that is in itself is not a polygon/],
     [5, Status.INVALID_ARGUMENT, /5 is not a polygon/],
     [null, Status.INVALID_ARGUMENT, /null is not a polygon/],
   ];
