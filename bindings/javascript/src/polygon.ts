@@ -111,8 +111,9 @@ export class Polygon extends Shape {
 
   /** @internal */
   protected override inWords(): string {
-    const vertices = counted(this.rings.reduce((sum, ring) => sum + ring.length / 2, 0), "vertex", "vertices");
-    return this.rings.length > 1 ? `${vertices} with ${counted(this.rings.length - 1, "hole")}` : vertices;
+    const vertices = counted(this.vertices.length / 2, "vertex", "vertices");
+    const holes = this.rings.length - 1;
+    return holes > 0 ? `${vertices} with ${counted(holes, "hole")}` : vertices;
   }
 
   /** The area without the holes, in square units, correctly rounded. */
