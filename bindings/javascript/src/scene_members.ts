@@ -16,7 +16,7 @@ import type { PolygonLike } from "./sources.js";
 export const allLayers = 0xffffffff;
 
 /** What a scene consists of. */
-export abstract class SceneMembers extends Handle {
+export abstract class SceneMembers extends Handle implements Iterable<number> {
   /** The polygon of the container, of which the library gives no handle. */
   #kept: Polygon | null = null;
 
@@ -175,6 +175,11 @@ export abstract class SceneMembers extends Handle {
   /** The number of members. */
   get size(): number {
     return this.ids.length;
+  }
+
+  /** The ids of the members that there are now. */
+  [Symbol.iterator](): Iterator<number> {
+    return this.ids.values();
   }
 
   /** @internal */
