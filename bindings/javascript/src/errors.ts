@@ -107,7 +107,7 @@ export function hasLostBuffer(value: unknown): boolean {
     return false;
   }
   try {
-    (value as Uint8Array).at(0);
+    (value as Uint8Array).keys();
     return false;
   } catch {
     return true;
