@@ -89,6 +89,18 @@ export function named(error: GcvError, name: string): GcvError {
   return errorOf(error.status, `${name}: ${error.message.replace(/^polygon: /, "")}`);
 }
 
+/** What make() gives. In messages, arguments have the names of this package. @internal */
+export function renamed<T>(name: RegExp, nameHere: string, make: () => T): T {
+  try {
+    return make();
+  } catch (error) {
+    if (error instanceof GcvError && name.test(error.message)) {
+      throw errorOf(error.status, error.message.replace(name, nameHere));
+    }
+    throw error;
+  }
+}
+
 /** What make() gives, or its error. @internal */
 export function caught<T>(make: () => T): T | GcvError {
   try {

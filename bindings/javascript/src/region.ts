@@ -3,7 +3,7 @@
 //
 // Regions.
 
-import { errorOf, Status, unfit } from "./errors.js";
+import { errorOf, renamed, Status, unfit } from "./errors.js";
 import {
   areEqual,
   boundsOf,
@@ -207,7 +207,7 @@ export class Region extends Shape implements Iterable<Polygon> {
     if (!Number.isSafeInteger(number) || number < 0) {
       throw unfit("number", number, "the number of a polygon");
     }
-    return new Polygon(this.polygonMadeOf(number));
+    return renamed(/^polygon is/, "number is", () => new Polygon(this.polygonMadeOf(number)));
   }
 
   /** The polygons with their holes, made at each turn. */
@@ -229,7 +229,7 @@ export class Region extends Shape implements Iterable<Polygon> {
     return withScratch((scratch) => {
       const count = coordinates.length / 2;
       const [xy, out] = [scratch.doubles(coordinates), scratch.room(count)];
-      check(library.gcv_region_locate(this.pointer, xy, count, out));
+      renamed(/^xy:/, "points:", () => check(library.gcv_region_locate(this.pointer, xy, count, out)));
       const places = new Int8Array(library.memory.buffer, out, count).slice();
       return isOne ? (places[0] as Location) : places;
     });

@@ -3,7 +3,7 @@
 //
 // The members of scenes, and how they change.
 
-import { unfit } from "./errors.js";
+import { renamed, unfit } from "./errors.js";
 import { counted, Handle, Made } from "./handle.js";
 import { library } from "./library.js";
 import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
@@ -189,7 +189,7 @@ export abstract class SceneMembers extends Handle implements Iterable<number> {
 
   /** The position of a member. */
   position(id: number): Point {
-    const [x, y] = this.positions([idOf(id)]);
+    const [x, y] = renamed(/^ids: number 0/, "id", () => this.positions([idOf(id)]));
     return [x!, y!];
   }
 

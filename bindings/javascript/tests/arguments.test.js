@@ -150,3 +150,21 @@ test("earlier lists of another kind", () => {
     [() => scene.contacts(0, 0, scene.pairs()), "previous: <PairList of 1 pair> is not a ContactList"],
   ]);
 });
+
+test("messages of the library have the names of arguments here", () => {
+  const region = gcv.minkowskiSumRegion(square, square);
+  const [bad, pairs] = [[NaN, 0], [[0, 0], [NaN, 0]]];
+  const notFinite = "number 0 is (nan, 0), not finite";
+  const cases = [
+    [() => gcv.relation(square, square, bad), `translation: ${notFinite}`],
+    [() => gcv.distance(square, square, pairs), "translation: number 1 is (nan, 0), not finite"],
+    [() => gcv.cast(square, square, [0, 0], bad), `motion: ${notFinite}`],
+    [() => scene.cast(square, [0, 0], bad), `motions: ${notFinite}`],
+    [() => region.locate(bad), "points: the x coordinate of point 0 is nan, not a finite number"],
+    [() => region.polygon(7), "number is 7, the region has 1 polygons"],
+    [() => scene.position(9), "id is 9, not that of a member"],
+  ];
+  for (const [call, message] of cases) {
+    assert.throws(call, { name: "InputError", message }, String(call));
+  }
+});
