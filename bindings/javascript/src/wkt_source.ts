@@ -18,21 +18,22 @@ const member = tagOf(`${withArea}|(?:MULTI)?(?:POINT|LINESTRING)`);
 const part = /\s*(?:(\()|EMPTY\b)/iy;
 const next = /\s*([,)])/y;
 const between = /[\s,;]*/y;
+const end = /\s*$/y;
 
 /** The polygon of a text: a MULTIPOLYGON of one part is that part, and other text stays as it is. */
 export function polygonOfWKT(text: string): PolygonText {
   if (!/^\s*MULTIPOLYGON/i.test(text)) {
     return { text: withoutElevations(text), shift: 0 };
   }
-  const parts = polygonsOfWKT(text);
+  const parts = polygonsOfWKT(text, true);
   if (parts.length !== 1) {
     throw noPolygon(`a MultiPolygon of ${parts.length} parts is not one polygon`);
   }
   return parts[0];
 }
 
-/** The polygons of all geometries of a text. Empty ones, segments and points are left out. */
-export function polygonsOfWKT(text: string): PolygonText[] {
+/** The polygons of all geometries of a text, or of the only one. What has no area is left out. */
+export function polygonsOfWKT(text: string, isOne = false): PolygonText[] {
   const polygons: PolygonText[] = [];
   let place = 0;
   const take = (pattern: RegExp, what: string): RegExpExecArray => {
@@ -48,7 +49,7 @@ export function polygonsOfWKT(text: string): PolygonText[] {
   const goesOn = () => take(next, "',' or ')'")[1] === ",";
   for (let depth = 0; ; ) {
     if (depth === 0) {
-      take(between, "nothing");
+      take(isOne && place > 0 ? end : between, "the end of the text");
       if (place === text.length) {
         return polygons;
       }

@@ -175,6 +175,7 @@ test("sources that are no polygons", () => {
     [" MultiPolygon Z ( EMPTY )", Status.INVALID_ARGUMENT, /a MultiPolygon of 0 parts/],
     ["MULTIPOLYGON M (((0 0 7, 1 x 7)))", Status.PARSE, /byte 27: .*'x'/],
     ["MULTIPOLYGON (((0 0, 1 0, 0 1)) EMPTY)", Status.PARSE, /byte 32: expected ',' or '\)'/],
+    ["MULTIPOLYGON (((0 0, 1 0, 0 1))), POLYGON EMPTY", Status.PARSE, /byte 32: expected the end of the text/],
     ["MULTIPOLYGON (((0 0, 1 0, 0 1), EMPTY))", Status.PARSE, /byte 32: expected '\(', found 'EMPTY'/],
     ["POLYGON ZM EMPTY", Status.DEGENERATE, /EMPTY has no vertices/],
     ["{", Status.PARSE, /GeoJSON/],
