@@ -89,6 +89,18 @@ export function named(error: GcvError, name: string): GcvError {
   return errorOf(error.status, `${name}: ${error.message.replace(/^polygon: /, "")}`);
 }
 
+/** What make() gives. In messages, arguments have the names of this package. @internal */
+export function renamed<T>(name: RegExp, nameHere: string, make: () => T): T {
+  try {
+    return make();
+  } catch (error) {
+    if (error instanceof GcvError && name.test(error.message)) {
+      throw errorOf(error.status, error.message.replace(name, nameHere));
+    }
+    throw error;
+  }
+}
+
 /** What make() gives, or its error. @internal */
 export function caught<T>(make: () => T): T | GcvError {
   try {
@@ -98,6 +110,19 @@ export function caught<T>(make: () => T): T | GcvError {
       return error;
     }
     throw error;
+  }
+}
+
+/** Whether the value is an array whose buffer was transferred, or shrank away from it. @internal */
+export function hasLostBuffer(value: unknown): boolean {
+  if (!ArrayBuffer.isView(value) || value instanceof DataView) {
+    return false;
+  }
+  try {
+    (value as Uint8Array).keys();
+    return false;
+  } catch {
+    return true;
   }
 }
 
@@ -119,6 +144,9 @@ function textOf(value: unknown): string {
   }
   if (typeof value === "object" && value !== null && words in value) {
     return String(value[words]);
+  }
+  if (hasLostBuffer(value)) {
+    return "an array that has lost its buffer";
   }
   const withBigInts = (_: string, part: unknown) => (typeof part === "bigint" ? `${part}n` : part);
   try {

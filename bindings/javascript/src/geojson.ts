@@ -43,6 +43,17 @@ export type GeoJSONSource =
   | { readonly type: "Feature"; readonly geometry: GeoJSONSource | null }
   | { readonly type: "FeatureCollection"; readonly features: readonly GeoJSONSource[] };
 
+/** Whatever of GeoJSON has polygons. Segments and points of collections are left out. */
+export type GeoJSONCollection =
+  | GeoJSONSource
+  | {
+      readonly type: "Point" | "MultiPoint" | "LineString" | "MultiLineString";
+      readonly coordinates: readonly unknown[];
+    }
+  | { readonly type: "Feature"; readonly geometry: GeoJSONCollection | null }
+  | { readonly type: "FeatureCollection"; readonly features: readonly GeoJSONCollection[] }
+  | { readonly type: "GeometryCollection"; readonly geometries: readonly GeoJSONCollection[] };
+
 /** The pairs of x0, y0, x1, y1, ...: of a ring, of the ends of a segment, or of positions. */
 export function pairsOf(coordinates: Points): [number, number][] {
   const xy = coordinatesOf(coordinates, "coordinates", "an array of coordinates");

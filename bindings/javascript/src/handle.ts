@@ -27,8 +27,9 @@ const registry = new FinalizationRegistry<[Destroy, number]>(([destroy, pointer]
  * An object of the library, in the memory of its WebAssembly module.
  *
  * free() ends it at once, and so does `using`. Otherwise it ends at some time after the garbage
- * collector has found that nothing refers to it. While a call uses an object, it can be neither
- * freed nor changed by what the call calls, such as its progress function: that throws an InputError.
+ * collector has found that nothing refers to it, between two turns of the event loop. While a call
+ * uses an object, it can be neither freed nor changed by what the call calls, such as its progress
+ * function: that throws an InputError.
  */
 export abstract class Handle {
   #pointer: number;

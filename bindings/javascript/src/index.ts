@@ -8,6 +8,7 @@ export { EdgeKind } from "./facts.js";
 export type { EdgeSource, ExactPoint, Fraction, Stats } from "./facts.js";
 export { pairsOf } from "./geojson.js";
 export type {
+  GeoJSONCollection,
   GeoJSONGeometryCollection,
   GeoJSONLineString,
   GeoJSONMultiPolygon,
@@ -32,7 +33,7 @@ export { Location, PartKind, Region } from "./region.js";
 export type { RegionPart } from "./region.js";
 export { Scene } from "./scene.js";
 export type { FreeRegionOptions, QueryOptions } from "./scene.js";
-export type { PolygonLike } from "./sources.js";
+export type { PolygonLike, PolygonsLike } from "./sources.js";
 export {
   entranceBlock,
   entranceRegion,

@@ -3,7 +3,7 @@
 //
 // Memory of the library for the arguments and the results of a call.
 
-import { errorOf, Status } from "./errors.js";
+import { errorOf, Status, type GcvError } from "./errors.js";
 import { library, view } from "./library.js";
 
 /** Blocks of memory that end together. */
@@ -14,7 +14,7 @@ export class Scratch {
   room(bytes: number): number {
     const pointer = bytes < 2 ** 32 ? library.malloc(bytes) : 0;
     if (pointer === 0) {
-      throw errorOf(Status.NO_MEMORY, `there is no memory for ${bytes} bytes`);
+      throw failure(Status.NO_MEMORY, `there is no memory for ${bytes} bytes`);
     }
     this.#blocks.push(pointer);
     return pointer;
@@ -86,8 +86,14 @@ export function lastMessage(): string {
 /** Throws the error of a status other than 0. */
 export function check(status: number): void {
   if (status !== 0) {
-    throw errorOf(status as Status, lastMessage());
+    throw failure(status as Status, lastMessage());
   }
+}
+
+/** The error of a status, with what helps where there is no memory. */
+export function failure(status: Status, message: string): GcvError {
+  const help = "free() ends objects at once, garbage ends between turns of the event loop alone";
+  return errorOf(status, status === Status.NO_MEMORY ? `${message}; ${help}` : message);
 }
 
 export function version(): string {

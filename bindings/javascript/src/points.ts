@@ -3,7 +3,7 @@
 //
 // Points and numbers as they are passed.
 
-import { errorOf, InputError, Status, unfit } from "./errors.js";
+import { errorOf, hasLostBuffer, InputError, Status, unfit } from "./errors.js";
 
 /** A typed array of numbers. */
 export type NumberArray =
@@ -98,7 +98,8 @@ function isNumberArray(value: unknown): value is NumberArray {
     !(value instanceof DataView) &&
     !(value instanceof BigInt64Array) &&
     !(value instanceof BigUint64Array) &&
-    value.constructor.name !== "Buffer" // bytes of a text or a file, in Node
+    value.constructor.name !== "Buffer" && // bytes of a text or a file, in Node
+    !hasLostBuffer(value)
   );
 }
 

@@ -11,7 +11,7 @@ import { check, doubleOf, doublesAt, pointerOf, withScratch } from "./memory.js"
 import { checkOptions, roundingOf, type SumOptions } from "./options.js";
 import { finiteNumbersOf, numberOf, numbersOf, type Point } from "./points.js";
 import { Shape } from "./shape.js";
-import { madeOf, madeOfMany, normalisedRings, type PolygonLike } from "./sources.js";
+import { madeOf, madeOfMany, normalisedRings, type PolygonLike, type PolygonsLike } from "./sources.js";
 import { svgPathOf } from "./svg_path.js";
 
 /** A box: xmin, ymin, xmax, ymax. */
@@ -46,15 +46,19 @@ export class Polygon extends Shape {
     super(source instanceof Made ? source : madeOf(source, holes), "gcv_polygon_destroy");
   }
 
-  /** Many polygons, made at once where they have one ring each. Throws the first error. */
-  static many(sources: readonly PolygonLike[], options?: { returnErrors?: false }): Polygon[];
+  /**
+   * Many polygons: of an array of sources, made at once where they have one ring each; or all those
+   * of a region, of GeoJSON, or of Well-Known Text, without its segments and points. Throws the
+   * first error.
+   */
+  static many(sources: PolygonsLike, options?: { returnErrors?: false }): Polygon[];
   /** With errors in the places of sources that are no polygons. */
   static many(
-    sources: readonly PolygonLike[],
+    sources: PolygonsLike,
     options: { returnErrors?: boolean },
   ): (Polygon | GcvError)[];
   static many(
-    sources: readonly PolygonLike[],
+    sources: PolygonsLike,
     options: { returnErrors?: boolean } = {},
   ): (Polygon | GcvError)[] {
     checkOptions(options, ["returnErrors"]);
@@ -111,8 +115,9 @@ export class Polygon extends Shape {
 
   /** @internal */
   protected override inWords(): string {
-    const vertices = counted(this.rings.reduce((sum, ring) => sum + ring.length / 2, 0), "vertex", "vertices");
-    return this.rings.length > 1 ? `${vertices} with ${counted(this.rings.length - 1, "hole")}` : vertices;
+    const vertices = counted(this.vertices.length / 2, "vertex", "vertices");
+    const holes = this.rings.length - 1;
+    return holes > 0 ? `${vertices} with ${counted(holes, "hole")}` : vertices;
   }
 
   /** The area without the holes, in square units, correctly rounded. */

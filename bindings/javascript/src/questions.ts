@@ -3,7 +3,7 @@
 //
 // Questions about two polygons, one of which is moved by translations.
 
-import { errorOf, Status } from "./errors.js";
+import { errorOf, renamed, Status } from "./errors.js";
 import { library } from "./library.js";
 import { ContactList } from "./lists.js";
 import { structsAt, withScratch, type Scratch } from "./memory.js";
@@ -83,8 +83,10 @@ function ask<T>(
   checkOptions(options, names);
   return withPolygons(sources, (a, b) =>
     withScratch((scratch) =>
-      answer(scratch, struct, vectors, options, (pointers, ...rest) =>
-        call(a!, b!, ...pointers, ...rest),
+      renamed(/^(translation|motion)s:/, "$1:", () =>
+        answer(scratch, struct, vectors, options, (pointers, ...rest) =>
+          call(a!, b!, ...pointers, ...rest),
+        ),
       ),
     ),
   );

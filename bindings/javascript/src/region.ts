@@ -3,7 +3,7 @@
 //
 // Regions.
 
-import { errorOf, Status, unfit } from "./errors.js";
+import { errorOf, renamed, Status, unfit } from "./errors.js";
 import {
   areEqual,
   boundsOf,
@@ -74,7 +74,7 @@ export type Location = (typeof Location)[keyof typeof Location];
  * no "exact" in its name is about the one in doubles. What is a list or an array is the same at
  * each access.
  */
-export class Region extends Shape {
+export class Region extends Shape implements Iterable<Polygon> {
   /** @internal */
   constructor(made: Made) {
     super(made, "gcv_region_destroy");
@@ -207,9 +207,14 @@ export class Region extends Shape {
     if (!Number.isSafeInteger(number) || number < 0) {
       throw unfit("number", number, "the number of a polygon");
     }
-    return new Polygon(
-      new Made(pointerOf((out) => library.gcv_region_polygon(this.pointer, number, out))),
-    );
+    return renamed(/^polygon is/, "number is", () => new Polygon(this.polygonMadeOf(number)));
+  }
+
+  /** The polygons with their holes, made at each turn. */
+  *[Symbol.iterator](): Generator<Polygon, void, undefined> {
+    for (const number of this.polygons.keys()) {
+      yield this.polygon(number);
+    }
   }
 
   /** Where a point lies in the exact region. */
@@ -224,7 +229,7 @@ export class Region extends Shape {
     return withScratch((scratch) => {
       const count = coordinates.length / 2;
       const [xy, out] = [scratch.doubles(coordinates), scratch.room(count)];
-      check(library.gcv_region_locate(this.pointer, xy, count, out));
+      renamed(/^xy:/, "points:", () => check(library.gcv_region_locate(this.pointer, xy, count, out)));
       const places = new Int8Array(library.memory.buffer, out, count).slice();
       return isOne ? (places[0] as Location) : places;
     });
@@ -281,7 +286,16 @@ export class Region extends Shape {
       const reason = `a region of ${polygons} polygons and ${fits} fits is not one polygon`;
       throw errorOf(Status.INVALID_ARGUMENT, `polygon: ${reason}`);
     }
-    return new Made(pointerOf((out) => library.gcv_region_polygon(this.pointer, 0, out)));
+    return this.polygonMadeOf(0);
+  }
+
+  /** @internal */
+  override polygonsMade(): Made[] {
+    return this.polygons.map((_, number) => this.polygonMadeOf(number));
+  }
+
+  private polygonMadeOf(number: number): Made {
+    return new Made(pointerOf((out) => library.gcv_region_polygon(this.pointer, number, out)));
   }
 }
 

@@ -3,7 +3,7 @@
 //
 // The members of scenes, and how they change.
 
-import { unfit } from "./errors.js";
+import { renamed, unfit } from "./errors.js";
 import { counted, Handle, Made } from "./handle.js";
 import { library } from "./library.js";
 import { check, doublesAt, integerAt, pointerOf, structsAt, structsOf, withScratch, type Scratch } from "./memory.js";
@@ -16,7 +16,7 @@ import type { PolygonLike } from "./sources.js";
 export const allLayers = 0xffffffff;
 
 /** What a scene consists of. */
-export abstract class SceneMembers extends Handle {
+export abstract class SceneMembers extends Handle implements Iterable<number> {
   /** The polygon of the container, of which the library gives no handle. */
   #kept: Polygon | null = null;
 
@@ -177,6 +177,11 @@ export abstract class SceneMembers extends Handle {
     return this.ids.length;
   }
 
+  /** The ids of the members that there are now. */
+  [Symbol.iterator](): Iterator<number> {
+    return this.ids.values();
+  }
+
   /** @internal */
   protected override inWords(): string {
     return counted(this.size, "member") + (this.#kept === null ? "" : " in a container");
@@ -184,7 +189,7 @@ export abstract class SceneMembers extends Handle {
 
   /** The position of a member. */
   position(id: number): Point {
-    const [x, y] = this.positions([idOf(id)]);
+    const [x, y] = renamed(/^ids: number 0/, "id", () => this.positions([idOf(id)]));
     return [x!, y!];
   }
 

@@ -24,4 +24,9 @@ export abstract class Shape extends Handle {
 
   /** The polygon that it is, as a new object, with its numbers of vertices. @internal */
   abstract polygonMade(): Made;
+
+  /** Its polygons, each as a new object. @internal */
+  polygonsMade(): Made[] {
+    return [this.polygonMade()];
+  }
 }

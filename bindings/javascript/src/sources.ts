@@ -4,14 +4,14 @@
 // Whatever a polygon can be made from.
 
 import { caught, errorOf, GcvError, named, noPolygon, short, Status, unfit } from "./errors.js";
-import type { GeoJSONSource } from "./geojson.js";
+import type { GeoJSONCollection, GeoJSONSource } from "./geojson.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
 import { check, coordinatesOf as coordinatesFrom, pointerOf, structsAt, withScratch } from "./memory.js";
 import { coordinatesOf, elementsOf, type Points } from "./points.js";
 import { Shape } from "./shape.js";
 import { isSVGPath, ringsOfSVGPath } from "./svg_path.js";
-import { asPlainPolygon } from "./wkt_source.js";
+import { polygonOfWKT, polygonsOfWKT, type PolygonText } from "./wkt_source.js";
 
 /**
  * Whatever a polygon can be made from: the points of a ring; GeoJSON, as an object or as text;
@@ -19,6 +19,9 @@ import { asPlainPolygon } from "./wkt_source.js";
  * polygon; an outer face; a region of one polygon and nothing else.
  */
 export type PolygonLike = Points | GeoJSONSource | string | Shape;
+
+/** Whatever many polygons can be made from: an array of sources, or one source of several polygons. */
+export type PolygonsLike = readonly PolygonLike[] | GeoJSONCollection | string | Shape;
 
 type Ring = ArrayLike<number>;
 
@@ -33,8 +36,12 @@ export function madeOf(source: PolygonLike, holes: readonly PolygonLike[] = []):
 }
 
 /** The polygon of each source, or its error. Those of one ring are made at once. */
-export function madeOfMany(sources: readonly PolygonLike[]): (Made | GcvError)[] {
-  const read = elementsOf(sources, "sources").map((source) => caught(() => ringsOrPolygon(source)));
+export function madeOfMany(sources: PolygonsLike): (Made | GcvError)[] {
+  const readers = caught(() => readersOf(sources));
+  if (readers instanceof GcvError) {
+    throw named(readers, "sources");
+  }
+  const read = readers.map((reader) => caught(reader));
   const isSingle = (one: Ring[] | Made | GcvError): one is [Ring] =>
     Array.isArray(one) && one.length === 1;
   const pointers = pointersOf(read.filter(isSingle).map(([ring]) => ring));
@@ -74,21 +81,44 @@ function pointersOf(rings: Ring[]): number[] {
   });
 }
 
-function ringsOrPolygon(source: PolygonLike): Ring[] | Made {
-  if (source instanceof Shape) {
-    return source.polygonMade();
+/** What reads each of many sources, or each polygon of a source. */
+function readersOf(sources: PolygonsLike): (() => Ring[] | Made)[] {
+  if (sources instanceof Shape) {
+    return sources.polygonsMade().map((made) => () => made);
   }
+  const source = unpacked(sources);
   if (typeof source === "string") {
-    const text = source.replace(/^\ufeff/, ""); // a mark of files in UTF-8
-    if (text.trimStart().startsWith("{")) {
-      return ringsOfGeoJSON(parsed(text));
-    }
-    return isSVGPath(text) ? ringsOfSVGPath(text) : madeOfWKT(text);
+    return isSVGPath(source)
+      ? [() => ringsOfSVGPath(source)]
+      : polygonsOfWKT(source).map((polygon) => () => madeOfWKT(polygon));
   }
-  if (typeof source === "object" && source !== null && "type" in source) {
-    return ringsOfGeoJSON(source);
+  return isGeoJSON(source)
+    ? geometriesOf(source).map((geometry) => () => ringsOfGeoJSON(geometry))
+    : elementsOf(source, "polygon").map((one) => () => ringsOrPolygon(one));
+}
+
+function ringsOrPolygon(given: PolygonLike): Ring[] | Made {
+  if (given instanceof Shape) {
+    return given.polygonMade();
   }
-  return [ringOfPoints(source)];
+  const source = unpacked(given);
+  if (typeof source === "string") {
+    return isSVGPath(source) ? ringsOfSVGPath(source) : madeOfWKT(polygonOfWKT(source));
+  }
+  return isGeoJSON(source) ? ringsOfGeoJSON(source) : [ringOfPoints(source)];
+}
+
+/** The object that text of GeoJSON says; other text without a mark of UTF-8; the rest as it is. */
+function unpacked<T>(source: T | string): T | string {
+  if (typeof source !== "string") {
+    return source;
+  }
+  const text = source.replace(/^\ufeff/, "");
+  return text.trimStart().startsWith("{") ? (parsed(text) as T) : text;
+}
+
+function isGeoJSON<T>(source: T): source is Extract<T, { type: unknown }> {
+  return typeof source === "object" && source !== null && "type" in source;
 }
 
 function ringOfPoints(points: Points, ofRing = ""): Ring {
@@ -131,12 +161,17 @@ function ringOfHole(source: PolygonLike, index: number): Ring {
   return rings[0];
 }
 
-function madeOfWKT(text: string): Made {
-  return withScratch((scratch) => {
-    const bytes = new TextEncoder().encode(asPlainPolygon(text));
+function madeOfWKT({ text, shift }: PolygonText): Made {
+  const made = withScratch((scratch) => {
+    const bytes = new TextEncoder().encode(text);
     const pointer = scratch.bytes(bytes);
-    return new Made(pointerOf((out) => library.gcv_polygon_create_wkt(pointer, bytes.length, out)));
+    return caught(() => pointerOf((out) => library.gcv_polygon_create_wkt(pointer, bytes.length, out)));
   });
+  if (made instanceof GcvError) {
+    const place = (_: string, byte: string) => `byte ${Number(byte) + shift}`;
+    throw errorOf(made.status, made.message.replace(/byte (\d+)/, place));
+  }
+  return new Made(made);
 }
 
 function parsed(text: string): unknown {
@@ -148,21 +183,60 @@ function parsed(text: string): unknown {
 }
 
 function ringsOfGeoJSON(source: unknown): Ring[] {
+  const outer = new Set<unknown>();
+  for (let geometry = source; ; ) {
+    const { type, ...members } = Object(geometry) as Record<string, unknown>;
+    if (outer.has(geometry)) {
+      throw noPolygon(`a ${type} that is in itself is not a polygon`);
+    }
+    outer.add(geometry);
+    switch (type) {
+      case "Feature":
+        geometry = members["geometry"];
+        break;
+      case "FeatureCollection":
+        geometry = only(members["features"], type);
+        break;
+      case "MultiPolygon":
+        return ringsOfCoordinates(only(partsOf(members["coordinates"]), type));
+      case "Polygon":
+        return ringsOfCoordinates(members["coordinates"]);
+      case undefined:
+        throw unfit("polygon", geometry, "a geometry");
+      default:
+        throw noPolygon(`a geometry of type ${short(type)} is not a polygon`);
+    }
+  }
+}
+
+const deepest = 1000;
+const withoutArea: unknown[] = ["Point", "MultiPoint", "LineString", "MultiLineString"];
+
+/** The polygons of a geometry. What is none stays as it is; in collections, what has no area is left out. */
+function geometriesOf(source: unknown, alone = true, depth = 0): unknown[] {
+  if (depth > deepest) {
+    throw noPolygon("this is nested too deeply");
+  }
   const { type, ...members } = Object(source) as Record<string, unknown>;
+  const inside = (parts: unknown, alone: boolean) =>
+    listOf(parts).flatMap((one) => geometriesOf(one, alone, depth + 1));
   switch (type) {
     case "Feature":
-      return ringsOfGeoJSON(members["geometry"]);
+      return members["geometry"] == null ? [] : inside([members["geometry"]], alone);
     case "FeatureCollection":
-      return ringsOfGeoJSON(only(members["features"], type));
+      return inside(members["features"], false);
+    case "GeometryCollection":
+      return inside(members["geometries"], false);
     case "MultiPolygon":
-      return ringsOfCoordinates(only(members["coordinates"], type));
-    case "Polygon":
-      return ringsOfCoordinates(members["coordinates"]);
-    case undefined:
-      throw unfit("polygon", source, "a geometry");
+      return partsOf(members["coordinates"]).map((coordinates) => ({ type: "Polygon", coordinates }));
     default:
-      throw noPolygon(`a geometry of type ${short(type)} is not a polygon`);
+      return alone || !withoutArea.includes(type) ? [source] : [];
   }
+}
+
+/** The parts of a MultiPolygon, without those that are empty. */
+function partsOf(coordinates: unknown): unknown[] {
+  return listOf(coordinates).filter((part) => !Array.isArray(part) || part.length > 0);
 }
 
 function only(parts: unknown, type: string): unknown {

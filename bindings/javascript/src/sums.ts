@@ -3,11 +3,11 @@
 //
 // Outer faces and regions of two polygons, and of many pairs.
 
-import { caught, errorOf, GcvError, type Status } from "./errors.js";
+import { caught, GcvError, type Status } from "./errors.js";
 import { edgeSourceAt, type EdgeSource } from "./facts.js";
 import { Made } from "./handle.js";
 import { library, view } from "./library.js";
-import { lastMessage, pointerOf, structsAt, structsOf, withScratch } from "./memory.js";
+import { failure, lastMessage, pointerOf, structsAt, structsOf, withScratch } from "./memory.js";
 import { withOperands, withPolygons } from "./operands.js";
 import {
   checkOptions,
@@ -197,7 +197,7 @@ function many<T extends OuterFace | Region>(
           return;
         }
         const reason = message.replace(`pair ${n}:`, `pair ${k}:`);
-        results[k] = errorOf(status as Status, reason || `pair ${k} alone says why it fails`);
+        results[k] = failure(status as Status, reason || `pair ${k} alone says why it fails`);
         message = "";
       });
     });

@@ -48,7 +48,7 @@ test("what is no array of polygons", () => {
     [() => new gcv.Polygon(square, 5), "holes: 5 is not an array of polygons"],
     [() => new gcv.Polygon(square, null), "holes: null is not an array of polygons"],
     [() => gcv.Polygon.many(null), "sources: null is not an array of polygons"],
-    [() => gcv.Polygon.many("abc"), 'sources: "abc" is not an array of polygons'],
+    [() => gcv.Polygon.many({}), "sources: {} is not an array of polygons"],
     [() => gcv.minkowskiSumMany(square, square), "a: <Polygon of 4 vertices> is not an array of polygons"],
     [() => new gcv.Polygon(Buffer.from("M 0 0 H 9 V 9 Z")), /is not a polygon, and none can be made/],
     [() => new gcv.Polygon(scene), /^polygon: <Scene of 2 members in a container> is not a polygon/],
@@ -59,6 +59,20 @@ test("what is no array of polygons", () => {
   const freed = square.translated([0, 0]);
   freed.free();
   refuses([[() => gcv.minkowskiSumMany(freed, []), "a: <Polygon, freed> is not an array of polygons"]]);
+});
+
+test("arrays whose buffers were transferred", () => {
+  const points = Float64Array.of(0, 0, 1, 0, 0, 1);
+  structuredClone(points.buffer, { transfer: [points.buffer] });
+  const lost = "an array that has lost its buffer is not";
+  refuses([
+    [() => new gcv.Polygon(points), `polygon: ${lost} a polygon, and none can be made from it`],
+    [() => new gcv.Polygon([points]), `polygon: vertex 0: ${lost} a pair of numbers`],
+    [() => gcv.relation(square, square, points), `translation: ${lost} a pair of numbers, nor an array of pairs`],
+    [() => square.translated(points), `vector: ${lost} a pair of numbers`],
+    [() => scene.remove(points), `ids: ${lost} an id, nor an array of them`],
+  ]);
+  assert.throws(() => new gcv.Polygon(new Float64Array()), { status: gcv.Status.DEGENERATE });
 });
 
 test("what is no id", () => {
@@ -135,4 +149,22 @@ test("earlier lists of another kind", () => {
     [() => scene.contacts(0, 0, []), "previous: [] is not a ContactList"],
     [() => scene.contacts(0, 0, scene.pairs()), "previous: <PairList of 1 pair> is not a ContactList"],
   ]);
+});
+
+test("messages of the library have the names of arguments here", () => {
+  const region = gcv.minkowskiSumRegion(square, square);
+  const [bad, pairs] = [[NaN, 0], [[0, 0], [NaN, 0]]];
+  const notFinite = "number 0 is (nan, 0), not finite";
+  const cases = [
+    [() => gcv.relation(square, square, bad), `translation: ${notFinite}`],
+    [() => gcv.distance(square, square, pairs), "translation: number 1 is (nan, 0), not finite"],
+    [() => gcv.cast(square, square, [0, 0], bad), `motion: ${notFinite}`],
+    [() => scene.cast(square, [0, 0], bad), `motions: ${notFinite}`],
+    [() => region.locate(bad), "points: the x coordinate of point 0 is nan, not a finite number"],
+    [() => region.polygon(7), "number is 7, the region has 1 polygons"],
+    [() => scene.position(9), "id is 9, not that of a member"],
+  ];
+  for (const [call, message] of cases) {
+    assert.throws(call, { name: "InputError", message }, String(call));
+  }
 });

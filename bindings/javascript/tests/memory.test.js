@@ -6,6 +6,7 @@ import { inspect } from "node:util";
 
 import * as gcv from "gcv";
 import { library } from "../dist/library.js";
+import { check, withScratch } from "../dist/memory.js";
 
 const square = [[0, 0], [1, 0], [1, 1], [0, 1]];
 
@@ -32,7 +33,7 @@ test("objects are shown in words", () => {
   const scene = new gcv.Scene(frame);
   const region = gcv.noFitRegion(frame, polygon);
   assert.equal(inspect(polygon), "<Polygon of 4 vertices>");
-  assert.equal(inspect(frame), "<Polygon of 8 vertices with 1 hole>");
+  assert.equal(inspect(frame), "<Polygon of 4 vertices with 1 hole>");
   assert.equal(inspect(gcv.minkowskiSum(frame, polygon)), "<OuterFace of 4 vertices>");
   assert.equal(inspect(region), "<Region of 1 polygon, 1 point>");
   assert.equal(inspect(gcv.innerFitRegion(polygon, frame)), "<Region of no parts>");
@@ -88,6 +89,12 @@ test("arguments that are no polygons yet end after a call, also after one that f
   const fail = () => assert.throws(() => gcv.relation(large, [[0, 0]]), gcv.InputError);
   assert.equal(growth(fail), 0);
   assert.equal(growth(() => gcv.relation(large, square, [5, 5])), 0);
+});
+
+test("where memory runs out, the message names what gives it back", () => {
+  const fails = { name: "GcvError", status: gcv.Status.NO_MEMORY, message: /; free\(\) ends objects at once/ };
+  assert.throws(() => check(gcv.Status.NO_MEMORY), fails);
+  assert.throws(() => withScratch((scratch) => scratch.room(2 ** 32)), fails);
 });
 
 test("what the garbage collector finds is freed", { skip: !globalThis.gc }, async () => {

@@ -3,7 +3,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { GcvError, InputError, Polygon, Status, minkowskiSum, minkowskiSumRegion, pairsOf } from "gcv";
+import { GcvError, InputError, Polygon, Status, minkowskiSum, minkowskiSumRegion, offset, pairsOf } from "gcv";
 
 const plate = [[0, 0], [6, 0], [6, 4], [0, 4]];
 const hole = [[1, 1], [3, 1], [3, 3]];
@@ -29,7 +29,9 @@ test("a polygon from every kind of source", () => {
     JSON.stringify(geometry),
     `\ufeff${wkt}`,
     `\ufeff${JSON.stringify(geometry)}`,
+    "MULTIPOLYGON (EMPTY, ((0 0, 6 0, 6 4, 0 4), (1 1, 3 1, 3 3)), EMPTY , EMPTY)",
     { type: "MultiPolygon", coordinates: [geometry.coordinates] },
+    { type: "MultiPolygon", coordinates: [[], geometry.coordinates, []] },
     { type: "Feature", geometry },
     { type: "FeatureCollection", features: [{ type: "Feature", geometry }] },
   ];
@@ -90,14 +92,72 @@ test("many polygons", () => {
   fails(() => Polygon.many([plate, []]), InputError, Status.DEGENERATE, /^polygon 1: /);
 });
 
+test("many polygons of a collection", () => {
+  const triangle = [[0, 0], [1, 0], [0, 1]];
+  const other = "((5 5, 6 5, 5 6), (5.25 5.25, 5.5 5.25, 5.25 5.5))";
+  const point = { type: "Point", coordinates: [9, 9] };
+  const polygons = Polygon.many([triangle, `POLYGON ${other}`]);
+  const [first, second] = polygons.map((polygon) => polygon.toGeoJSON());
+  const parts = { type: "MultiPolygon", coordinates: [first.coordinates, [], second.coordinates] };
+  const features = [first, null, point, second].map((geometry) => ({ type: "Feature", geometry }));
+  const collections = [
+    `MULTIPOLYGON (((0 0, 1 0, 0 1)), EMPTY, ${other})`,
+    `\ufeffPOLYGON Z ((0 0 9, 1 0 9, 0 1 9))\nPOLYGON ${other}`,
+    `GEOMETRYCOLLECTION (POINT (0 0), MULTIPOINT ((1 1), EMPTY), POLYGON ((0 0, 1 0, 0 1)),
+      POLYGON EMPTY, GEOMETRYCOLLECTION (LINESTRING (0 0, 1 1), MULTIPOLYGON (${other})))`,
+    parts,
+    JSON.stringify(parts),
+    { type: "Feature", geometry: parts },
+    { type: "FeatureCollection", features },
+    { type: "GeometryCollection", geometries: [point, { type: "GeometryCollection", geometries: [first] }, second] },
+  ];
+  for (const collection of collections) {
+    assert.deepEqual(Polygon.many(collection).map(String), polygons.map(String), JSON.stringify(collection));
+  }
+  for (const one of [polygons[1], first, JSON.stringify(first), "M 0 0 H 1 L 0 1 Z"]) {
+    assert.ok(Polygon.many(one)[0].equals(new Polygon(one)));
+  }
+  for (const none of ["", "MULTIPOLYGON EMPTY", { type: "FeatureCollection", features: [] }]) {
+    assert.deepEqual(Polygon.many(none), []);
+  }
+  const made = Polygon.many("MULTIPOLYGON (((0 0, 1 0, 0 1)), ((0 0, 1 x)))", { returnErrors: true });
+  assert.ok(made[0].equals(polygons[0]));
+  assert.equal(made[1].message, "polygon 1: byte 42: expected a number, found 'x'");
+});
+
+test("collections that are none", () => {
+  const collection = { type: "GeometryCollection" };
+  collection.geometries = [collection, collection];
+  const point = { type: "Point", coordinates: [9, 9] };
+  const cases = [
+    ["LINESTRING (0 0, 1 1)", Status.PARSE, /^sources: byte 0: expected POLYGON, MULTIPOLYGON or/],
+    ["GEOMETRYCOLLECTION ( CIRCLE (0 0))", Status.PARSE, /^sources: byte 21: expected a geometry/],
+    ["GEOMETRYCOLLECTION (POINT (0 0)", Status.PARSE, /^sources: byte 31: expected ',' or '\)'/],
+    ["MULTIPOLYGON (0 0)", Status.PARSE, /^sources: byte 14: expected '\('/],
+    ["{", Status.PARSE, /^sources: GeoJSON text/],
+    [collection, Status.INVALID_ARGUMENT, /^sources: this is nested too deeply/],
+    [{ type: "GeometryCollection" }, Status.INVALID_ARGUMENT, /^sources: undefined in a geometry is not a list/],
+    [{ type: "Feature", geometry: point }, Status.INVALID_ARGUMENT, /^polygon 0: a geometry of type "Point" is not/],
+  ];
+  for (const [source, status, message] of cases) {
+    fails(() => Polygon.many(source), InputError, status, message);
+  }
+});
+
 test("shapes as sources", () => {
   const face = minkowskiSum(plate, plate);
   assert.ok(new Polygon(face).equals(face.polygon()));
   const region = minkowskiSumRegion(new Polygon(plate, [hole]), [[0, 0], [0.5, 0], [0.5, 0.5]]);
   assert.ok(new Polygon(region).equals(region.polygon(0)));
+  const two = offset("M 0 0 H 3 V 3 H 6 V 0 H 9 V 9 H 6 V 4 H 3 V 9 H 0 Z", -1, 0.1);
+  const polygons = [two.polygon(0), two.polygon(1)].map(String);
+  assert.deepEqual([...two].map(String), polygons);
+  assert.deepEqual(Polygon.many(two).map(String), polygons);
 });
 
 test("sources that are no polygons", () => {
+  const feature = { type: "Feature" };
+  feature.geometry = { type: "FeatureCollection", features: [feature] };
   const cases = [
     [[[0, 0], [1, 0]], Status.DEGENERATE, /^polygon: /],
     [[[0, 0], [2, 0], [0, 2], [2, 2]], Status.NOT_SIMPLE, /edges 1 and 3/],
@@ -114,12 +174,16 @@ test("sources that are no polygons", () => {
     ["MULTIPOLYGON EMPTY", Status.INVALID_ARGUMENT, /a MultiPolygon of 0 parts is not one polygon/],
     [" MultiPolygon Z ( EMPTY )", Status.INVALID_ARGUMENT, /a MultiPolygon of 0 parts/],
     ["MULTIPOLYGON M (((0 0 7, 1 x 7)))", Status.PARSE, /byte 27: .*'x'/],
+    ["MULTIPOLYGON (((0 0, 1 0, 0 1)) EMPTY)", Status.PARSE, /byte 32: expected ',' or '\)'/],
+    ["MULTIPOLYGON (((0 0, 1 0, 0 1))), POLYGON EMPTY", Status.PARSE, /byte 32: expected the end of the text/],
+    ["MULTIPOLYGON (((0 0, 1 0, 0 1), EMPTY))", Status.PARSE, /byte 32: expected '\(', found 'EMPTY'/],
     ["POLYGON ZM EMPTY", Status.DEGENERATE, /EMPTY has no vertices/],
     ["{", Status.PARSE, /GeoJSON/],
     [{ type: "Point", coordinates: [0, 0] }, Status.INVALID_ARGUMENT, /"Point" is not a polygon/],
     [{ type: 5n }, Status.INVALID_ARGUMENT, /a geometry of type 5n is not/],
     [{ type: "Polygon", coordinates: 5n }, Status.INVALID_ARGUMENT, /5n in a geometry is not a list/],
     [{ type: "MultiPolygon", coordinates: [] }, Status.INVALID_ARGUMENT, /0 parts/],
+    [feature, Status.INVALID_ARGUMENT, /^polygon: a Feature that is in itself is not a polygon/],
     [5, Status.INVALID_ARGUMENT, /5 is not a polygon/],
     [null, Status.INVALID_ARGUMENT, /null is not a polygon/],
   ];

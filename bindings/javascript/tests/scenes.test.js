@@ -15,6 +15,7 @@ test("members come, change and go", () => {
   assert.deepEqual(scene.addMany([square(2), square(3)], [[6, 0], [0, 5]]), [5, 6]);
   assert.deepEqual(scene.ids, [2, 3, 4, 5, 6]);
   assert.equal(scene.size, 5);
+  assert.deepEqual([...scene], scene.ids);
   assert.deepEqual(scene.positions([3, 6]), Float64Array.of(2, 0, 0, 5));
   scene.move(3, [2, 1]);
   scene.move([2, 4], [[0, 1], [4, 1]]);

@@ -22,6 +22,8 @@ const faces: gcv.OuterFace[] = gcv.minkowskiSumMany(sources, sources);
 const results: (gcv.OuterFace | gcv.GcvError)[] = gcv.minkowskiSumMany(sources, sources, {
   returnErrors: true,
 });
+const collection: gcv.PolygonsLike = { type: "GeometryCollection", geometries: [polygon.toGeoJSON()] };
+const members: gcv.Polygon[] = gcv.Polygon.many(collection);
 const region: gcv.Region = new gcv.Scene(polygon).freeRegion(pairs, null, { leaveOut: "fits" });
 const place: gcv.Location = region.locate([0, 0]);
 const places: Int8Array = region.locate(pairs);
@@ -36,11 +38,14 @@ const scene = new gcv.Scene();
 scene.container = pairs;
 scene.container = null;
 const container: gcv.Polygon | null = scene.container;
+const listed: gcv.Polygon[] = [...region, ...gcv.Polygon.many(region)];
+const ids: number[] = [...scene];
 const degenerate: gcv.Status = gcv.Status.DEGENERATE;
 const status: gcv.Status = new gcv.InputError(degenerate, "").status;
 const signal: gcv.AbortSignalLike = { aborted: false, throwIfAborted() {} };
 const stopped: gcv.OuterFace = gcv.minkowskiSum(polygon, polygon, { signal });
-export { best, container, faces, found, grown, json, many, one, parts, place, places, results, status, stopped, text };
+export { best, container, faces, found, grown, ids, json, listed, many, members, one, parts, place, places };
+export { results, status, stopped, text };
 
 // @ts-expect-error: only the library makes outer faces.
 new gcv.OuterFace();
