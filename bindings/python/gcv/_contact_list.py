@@ -5,13 +5,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from ctypes import c_uint64
+from ctypes import c_uint64, sizeof
 from typing import Any, Optional, SupportsFloat
 
 from . import _ffi, _structs
 from ._call import SHORT, Progress
 from ._contacts import Contact
 from ._coordinates import number, pair
+from ._facts import made_by_itself
 from ._many import vertices
 from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
@@ -37,8 +38,10 @@ class ContactList(RecordList[Contact]):
     _previous: bytes
     """The indices in an earlier list, as the library gives them."""
 
-    def __init__(self, structs: bytes, previous: bytes, handle: Any = None) -> None:
+    def __init__(self, structs: Any = None, previous: Any = None, handle: Any = None) -> None:
         super().__init__(structs, handle)
+        if not isinstance(previous, bytes) or len(previous) != len(self) * sizeof(c_uint64):
+            raise made_by_itself(self)
         self._previous = previous
 
     @property

@@ -34,13 +34,19 @@ def scene() -> gcv.Scene:
     return made
 
 
-@pytest.mark.parametrize("kind", [gcv.OuterFace, gcv.Region])
+@pytest.mark.parametrize("kind", [gcv.OuterFace, gcv.Region, gcv.PairList, gcv.ContactList])
 @pytest.mark.parametrize("handle", [(), (5,), (b"abcdefgh",), (None,), (SQUARE,)])
 def test_results_are_returned_alone(
     kind: Callable[..., object], handle: tuple[object, ...]
 ) -> None:
-    with pytest.raises(TypeError, match="can be made by itself"):
+    with pytest.raises(TypeError, match=f"no {kind.__name__} can be made by itself"):
         kind(*handle)
+
+
+@pytest.mark.parametrize("previous", [(), (5,), (b"abcdefgh",)])
+def test_contacts_have_their_indices(previous: tuple[object, ...]) -> None:
+    with pytest.raises(TypeError, match="can be made by itself"):
+        gcv.ContactList(b"", *previous)
 
 
 @pytest.mark.parametrize(
