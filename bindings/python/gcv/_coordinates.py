@@ -323,7 +323,8 @@ def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
             geometry = _only_geometry(_member(geometry, "geometries"))
         kind = _kind(geometry)
     if kind == "MultiPolygon":
-        return _sequence(_only(_member(geometry, "coordinates"), kind)) or [()]
+        parts = _sequence(_member(geometry, "coordinates"))
+        return _sequence(_only([rings for rings in parts if not is_empty(rings)], kind))
     if kind == "LinearRing":
         return [_sequence(_member(geometry, "coordinates"))]
     if kind == "Polygon":
@@ -346,11 +347,21 @@ def _member(geometry: Mapping[str, Any], name: str) -> Any:
 def _only_geometry(parts: Any) -> Any:
     parts = _sequence(parts)
     if len(parts) != 1:
-        kinds = Counter(str(_kind(part)) for part in parts)
-        found = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
-        hint = "; Polygon.many reads its polygons" if len(parts) > 1 else ""
-        raise invalid(f"a GeometryCollection of {found} is not one polygon{hint}")
+        raise not_one_geometry([str(_kind(part)) for part in parts])
     return parts[0]
+
+
+def not_one_geometry(kinds: list[str]) -> InputError:
+    """The error for a collection of geometries of these kinds."""
+    counts = Counter(kinds).items()
+    found = ", ".join(f"{count} {kind}" for kind, count in counts) or "nothing"
+    hint = "; Polygon.many reads its polygons" if len(kinds) > 1 else ""
+    return invalid(f"a GeometryCollection of {found} is not one polygon{hint}")
+
+
+def is_empty(rings: Any) -> bool:
+    """Whether the coordinates of a polygon in GeoJSON have no vertex."""
+    return type(rings) in _LISTS and all(type(ring) in _LISTS and not ring for ring in rings)
 
 
 def _only(parts: Any, kind: str) -> Any:

@@ -57,13 +57,13 @@ class Polygon(Shape):
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
       mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature, a
       FeatureCollection or a GeometryCollection of one of these;
-    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))"
-      or a MULTIPOLYGON of one part;
+    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))",
+      a MULTIPOLYGON of one part, or a GEOMETRYCOLLECTION of one of these;
     - the pathlib.Path of a file of such text;
     - another polygon, an outer face, or a region of one polygon and nothing else.
 
-    Elevations of geometries and of text are left out; pairs and arrays must have none.
-    Holes are kept; those of the argument holes are added to them, each a ring in one of
+    Elevations and empty parts of geometries and of text are left out; pairs and arrays must
+    have none. Holes are kept; those of the argument holes are added to them, each a ring in one of
     the forms above. A polygon lies inside its outer ring and outside its holes. Rings may
     touch one another in single points, but not cross or overlap; holes lie in the outer
     ring and outside one another. An outer face is that of the outer rings: holes never
@@ -143,8 +143,8 @@ class Polygon(Shape):
         an Arrow array, as in minkowski_sum_many; a GeoJSON mapping or an object with a
         __geo_interface__ that has several polygons, such as a FeatureCollection or a
         MultiPolygon; text of several, or the pathlib.Path of a file of it; or anything with
-        a source in each place. Segments, points and missing geometries in collections are
-        left out. Those with holes, of text and of collections are made one by one.
+        a source in each place. Segments, points, and missing and empty geometries in
+        collections are left out. Those with holes, of text and of collections are made one by one.
 
         A source that is no polygon leaves the others as they are. With return_errors its
         Error takes the place of the polygon; otherwise the first such Error is raised.

@@ -75,7 +75,8 @@ def test_polygons_of_columns() -> None:
 
 
 def test_elevations_and_parts_of_one() -> None:
-    column = series([shapely.force_3d(A.iloc[0], 7), shapely.MultiPolygon([A.iloc[2]])])
+    parts = shapely.MultiPolygon([shapely.Polygon(), A.iloc[2], shapely.Polygon()])
+    column = series([shapely.force_3d(A.iloc[0], 7), parts])
     for one in (column, arrow(column, "WKB")):
         assert gcv.Polygon.many(one) == [POLYGONS[0], POLYGONS[2]]
     assert gcv.Polygon.many(arrow(column[:1])) == POLYGONS[:1]
