@@ -25,6 +25,7 @@ _LEAST_INEXACT = 2.0**53
 """Below this, every integer is a float."""
 _FLOATS, _PLAIN, _LISTS = {float}, {float, int}, {list, tuple}
 _SETS = (set, frozenset)
+_NO_PAIRS = (*_SETS, Mapping, bytes, bytearray)
 
 Points = list[tuple[float, float]]
 
@@ -55,8 +56,6 @@ def ring_in_buffer(source: Any) -> Optional[bytes]:
     of_pairs = (view.shape or ())[1:] in ((), (2,)) and view.nbytes % (2 * view.itemsize) == 0
     if of_pairs and view.format in _DOUBLE_FORMATS:
         return view.tobytes()
-    if isinstance(source, (bytes, bytearray)):
-        return None
     if not of_pairs:
         raise invalid(f"a buffer of shape {view.shape} does not hold pairs of numbers")
     values: Any = view.tolist()
@@ -160,9 +159,9 @@ def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
     """
     if type(source) in _LISTS:
         return tuple(source)
-    if isinstance(source, Mapping):
-        raise unfit(name, source, what)
     check_order(source, name)
+    if isinstance(source, _NO_PAIRS):
+        raise unfit(name, source, what)
     if has_masked(source):
         raise InputError(INVALID_ARGUMENT, f"{name}: {MASKED}")
     if len(getattr(source, "shape", ())) == 2 and hasattr(source, "to_numpy"):
@@ -189,7 +188,7 @@ def _doubles_of_pairs(
     """
     try:
         kinds = set(map(type, values))
-        if kinds <= _LISTS or not any(issubclass(kind, (*_SETS, Mapping)) for kind in kinds):
+        if kinds <= _LISTS or not any(issubclass(kind, _NO_PAIRS) for kind in kinds):
             lengths = set(map(len, values))
             if lengths <= {2}:
                 return _floats(tuple(chain.from_iterable(values)))
@@ -294,12 +293,14 @@ def has_masked(source: Any) -> bool:
 
 
 def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional[memoryview]:
-    """The buffer of a source that holds numbers of these formats; None where there is none.
+    """The buffer of a source that holds numbers of these formats; None for others, and bytes.
 
     Refuses arrays some elements of which are masked: what lies behind a mask is no data.
     """
     if has_masked(source):
         raise invalid(MASKED)
+    if isinstance(source, (bytes, bytearray)):
+        return None
     try:
         view = memoryview(source)
     except (TypeError, ValueError):  # numpy has no buffers of times

@@ -119,6 +119,8 @@ def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
 
 def read_holes(sources: Iterable[PolygonLike]) -> Rings:
     """The one ring of each hole."""
+    if isinstance(sources, (str, bytes, bytearray)):
+        raise unfit("holes", sources, "a sequence of polygons, for it is text")
     return [_hole(source, k) for k, source in enumerate(iterable(sources, "holes"))]
 
 

@@ -115,6 +115,13 @@ def test_mappings_are_no_pairs() -> None:
     check_refused(lambda: gcv.Polygon(geometry), reason)
 
 
+def test_bytes_are_no_pairs() -> None:
+    places: Any = b"ab"
+    check_translation(places, "b'ab' is not a pair of numbers, nor a sequence of pairs")
+    check_translation([places], "b'ab' is not a pair of numbers", r"\[0\]")
+    check_refused(lambda: gcv.entrance_block(SQUARE, SQUARE, places), "a0: b'ab' is not a .*")
+
+
 def test_sets_of_ids() -> None:
     scene = gcv.Scene()
     scene.add(SQUARE, [(0, 0), (5, 0)])
