@@ -119,3 +119,10 @@ def test_what_cannot_be_left_out_has_its_name_in_python(ask: Callable[..., objec
     first = ROOMS if ask is gcv.inner_fit_region else gcv.Scene(ROOMS)
     with pytest.raises(gcv.InputError, match=r"^options: leave_out has 'holes'; \w+ \w+ have all"):
         ask(first, SQUARE, leave_out="holes")
+
+
+@pytest.mark.parametrize("name", ["__init__", "add", "relation", "penetration", "best", "near"])
+def test_messages_name_methods_of_scenes(name: str) -> None:
+    method = getattr(gcv.Scene, name)
+    assert method.__qualname__ == f"Scene.{name}"
+    assert pickle.loads(pickle.dumps(method)) is method
