@@ -35,7 +35,7 @@ from ._facts import (
     EdgeSource,
     Stats,
 )
-from ._ffi import Error, InputError
+from ._ffi import Error, InputError, OutOfMemoryError
 from ._locating import Location
 from ._offset import offset
 from ._outer_face import OuterFace
@@ -125,6 +125,7 @@ __all__ = [
     "InputError",
     "LeaveOut",
     "Location",
+    "OutOfMemoryError",
     "OuterFace",
     "Pair",
     "PairList",
