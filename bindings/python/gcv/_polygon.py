@@ -284,8 +284,9 @@ class Polygon(Shape):
     ) -> Polygon:
         """The polygon with (x, y) moved to (m00 x + m01 y + m02, m10 x + m11 y + m12).
 
-        matrix: the 2 rows of 3 numbers, or the same 6 numbers in that order, row by row
-        (shapely.affinity has another order). [[0, -1, 0], [1, 0, 0]] is a quarter turn.
+        matrix: 2 rows of 3 numbers; of 2, where m02 and m12 are 0; 3 rows of 3, the third
+        of which is 0, 0, 1; or the 6 numbers of 2 rows in that order, row by row
+        (shapely.affinity has another order). [[0, -1], [1, 0]] is a quarter turn.
 
         Each coordinate is correctly rounded, to nearest, ties to even, from its exact
         value; quarter turns, reflections and scalings by powers of two are exact so.
