@@ -26,10 +26,10 @@ _NOT_THERE = 2**64 - 1
 class ContactList(RecordList[Contact]):
     """Contacts, the nearest first; it never changes.
 
-    Made by contacts and Scene.contacts. It is a sequence of Contact, and array has all of
-    them, of dtype CONTACT_DTYPE. Two lists are equal when all numbers of their contacts
-    and of previous are. It can be pickled; a pickled list is none that Scene.contacts takes
-    as previous.
+    Made by contacts and Scene.contacts. It is a sequence of Contact, and array and
+    numpy.asarray have all of them, of dtype CONTACT_DTYPE. Two lists are equal when all
+    numbers of their contacts and of previous are. It can be pickled; a pickled list is none
+    that Scene.contacts takes as previous.
     """
 
     __slots__ = ("_previous",)

@@ -56,6 +56,14 @@ class RecordList(Sequence[_T]):
             return list(self)  # type: ignore[return-value]
         return numpy.frombuffer(self._bytes, dtype_of(self._struct))
 
+    def __array__(
+        self, dtype: Any = None, copy: Optional[bool] = None
+    ) -> numpy.typing.NDArray[Any]:
+        """What numpy.asarray gives: array."""
+        import numpy
+
+        return numpy.array(self.array, dtype, copy=copy)
+
     def _all(self) -> tuple[_T, ...]:
         if self._records is None:
             structs = (self._struct * len(self)).from_buffer_copy(self._bytes)
