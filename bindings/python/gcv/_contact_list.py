@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from ctypes import c_uint64, sizeof
 from typing import Any, Optional, SupportsFloat
 
@@ -16,7 +15,7 @@ from ._facts import made_by_itself
 from ._many import vertices
 from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
-from ._sources import PolygonLike
+from ._sources import PointLike, PolygonLike
 from ._two_polygons import VERTICES_A_PAIR, ask, distance_in
 
 _NOT_THERE = 2**64 - 1
@@ -75,7 +74,7 @@ def contact_list(handle: _ffi.ContactList) -> ContactList:
 def contacts(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[SupportsFloat] = (0, 0),
+    translation: PointLike = (0, 0),
     distance: SupportsFloat = 0.0,
     slope: SupportsFloat = 0.0,
     *,

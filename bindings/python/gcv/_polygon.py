@@ -28,7 +28,7 @@ from ._call import Rounding, value_of
 from ._coordinates import Rings, check_finite, number, pair, points, size, split
 from ._handles import created, mapped, normalised_rings
 from ._shape import Shape, array_of
-from ._sources import PolygonLike, PolygonsLike, read, read_holes
+from ._sources import PointLike, PolygonLike, PolygonsLike, read, read_holes
 
 if TYPE_CHECKING:
     import numpy
@@ -53,7 +53,8 @@ class Polygon(Shape):
     - a sequence of (x, y) pairs of numbers, each converted to a float; integers must be
       floats, as all of them up to 2**53 are;
     - an array or another buffer of numbers, of shape (n, 2) and any strides, or of
-      floats x0 y0 x1 y1 ...; without masked elements;
+      floats x0 y0 x1 y1 ...; without masked elements; what only numpy makes an array of
+      takes numpy;
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
       mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature, a
       FeatureCollection or a GeometryCollection of one of these;
@@ -160,7 +161,7 @@ class Polygon(Shape):
     @classmethod
     def disc(
         cls,
-        centre: Iterable[SupportsFloat],
+        centre: PointLike,
         radius: SupportsFloat,
         tolerance: SupportsFloat,
         *,
@@ -314,7 +315,7 @@ class Polygon(Shape):
                 return given, ()
         return self._given, self._maps
 
-    def translated(self, vector: Iterable[SupportsFloat]) -> Polygon:
+    def translated(self, vector: PointLike) -> Polygon:
         """The polygon moved by the vector (x, y), each coordinate correctly rounded.
 
         As affine does it.

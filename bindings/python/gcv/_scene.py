@@ -4,7 +4,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from ctypes import byref
 from types import FunctionType
 from typing import Any, Optional, SupportsFloat, SupportsIndex, TypeVar
@@ -20,7 +19,7 @@ from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
 from ._scene_places import Places
 from ._scene_questions import NEIGHBOURS, query_of
-from ._sources import PolygonLike
+from ._sources import PointLike, PolygonLike
 from ._two_polygons import distance_in
 from ._whole_numbers import WholeNumbers
 
@@ -67,7 +66,7 @@ class Scene(Places):
     def near(
         self,
         moving: PolygonLike,
-        position: Iterable[SupportsFloat],
+        position: PointLike,
         distance: SupportsFloat = 0.0,
         *,
         layers: Optional[SupportsIndex] = None,

@@ -8,8 +8,8 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Optional
 
-from ._coordinates import is_empty
 from ._ffi import PARSE, InputError
+from ._geometries import is_empty
 from ._named import NUMBER, NamedPolygon, Reading, make
 from ._texts import read_json
 

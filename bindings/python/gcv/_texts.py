@@ -11,8 +11,9 @@ from array import array
 from pathlib import Path
 from typing import Any, Optional, Union
 
-from ._coordinates import Rings, invalid, not_one_geometry
+from ._coordinates import Rings, invalid
 from ._ffi import PARSE, InputError
+from ._geometries import not_one_geometry
 
 _DIMENSIONS = rb"\s*(?:ZM|Z|M)?\s*"
 _COLLECTIONS = re.compile(rb"(?:\s*GEOMETRYCOLLECTION" + _DIMENSIONS + rb"\()+", re.IGNORECASE)

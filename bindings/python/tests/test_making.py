@@ -155,7 +155,7 @@ def test_disc_is_a_polygon_like_others() -> None:
     ("arguments", "reason"),
     [
         ((None, 1, 1), "centre: None is not a pair of numbers"),
-        ((shapely.Point(1, 2), 1, 1), "centre: <POINT .*> is not a pair of numbers"),
+        ((shapely.MultiPoint([(1, 2)]), 1, 1), "centre: <MULTIPOINT .*> is not a pair of numbers"),
         (((0, 0), "1", 1), "radius: '1' is not a number"),
         (((0, 0), 1, None), "tolerance: None is not a number"),
         (((0, 0), 10**400, 1), "radius: 100.* is not a number that a finite float can be near to"),
