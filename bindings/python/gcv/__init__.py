@@ -14,6 +14,7 @@ pickled, and travel to other processes.
 """
 
 import typing as _typing
+from importlib.util import find_spec as _find_spec
 
 from ._call import LeaveOut, Progress, Rounding
 from ._contact_list import ContactList, contacts
@@ -97,6 +98,9 @@ else:
         except ImportError:
             raise AttributeError(f"{__name__}.{name} takes numpy, which is not here") from None
 
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
+
 
 INSIDE, BOUNDARY, OUTSIDE = Location.INSIDE, Location.BOUNDARY, Location.OUTSIDE
 APART, TOUCHING, OVERLAPPING = Relation.APART, Relation.TOUCHING, Relation.OVERLAPPING
@@ -164,5 +168,13 @@ __all__ = [
     "relation",
     "superset",
 ]
+if _typing.TYPE_CHECKING or _find_spec("numpy"):
+    __all__ += [
+        "CONTACT_DTYPE",
+        "ESCAPE_DTYPE",
+        "IMPACT_DTYPE",
+        "PAIR_DTYPE",
+        "SEPARATION_DTYPE",
+    ]
 
 __version__ = "0.2.0"
