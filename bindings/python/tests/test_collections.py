@@ -168,7 +168,7 @@ EMPTY: Any = {"type": "Polygon", "coordinates": []}
         f"MULTIPOLYGON (EMPTY, {FRAME.wkt[8:]})",
         f"MultiPolygon Z (empty,EMPTY , {FRAME.wkt[8:]}, EMPTY,EMPTY ) ",
         f"GEOMETRYCOLLECTION (GEOMETRYCOLLECTION (MULTIPOLYGON ({FRAME.wkt[8:]}, EMPTY)))",
-        shapely.MultiPolygon([shapely.Polygon(), MULTI.geoms[1]]),
+        shapely.from_wkt(f"MULTIPOLYGON (EMPTY, {FRAME.wkt[8:]})"),
         {"type": "MultiPolygon", "coordinates": [[], GEOMETRIES[1]["coordinates"], [[]]]},
     ],
 )

@@ -75,7 +75,7 @@ def test_polygons_of_columns() -> None:
 
 
 def test_elevations_and_parts_of_one() -> None:
-    parts = shapely.MultiPolygon([shapely.Polygon(), A.iloc[2], shapely.Polygon()])
+    parts = shapely.from_wkt(f"MULTIPOLYGON (EMPTY, {POLYGONS[2].wkt[8:]}, EMPTY)")
     column = series([shapely.force_3d(A.iloc[0], 7), parts])
     for one in (column, arrow(column, "WKB")):
         assert gcv.Polygon.many(one) == [POLYGONS[0], POLYGONS[2]]
