@@ -14,6 +14,7 @@ pickled, and travel to other processes.
 """
 
 import typing as _typing
+from importlib.util import find_spec as _find_spec
 
 from ._call import LeaveOut, Progress, Rounding
 from ._contact_list import ContactList, contacts
@@ -35,7 +36,7 @@ from ._facts import (
     EdgeSource,
     Stats,
 )
-from ._ffi import Error, InputError
+from ._ffi import Error, InputError, OutOfMemoryError
 from ._locating import Location
 from ._offset import offset
 from ._outer_face import OuterFace
@@ -97,6 +98,9 @@ else:
         except ImportError:
             raise AttributeError(f"{__name__}.{name} takes numpy, which is not here") from None
 
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
+
 
 INSIDE, BOUNDARY, OUTSIDE = Location.INSIDE, Location.BOUNDARY, Location.OUTSIDE
 APART, TOUCHING, OVERLAPPING = Relation.APART, Relation.TOUCHING, Relation.OVERLAPPING
@@ -125,6 +129,7 @@ __all__ = [
     "InputError",
     "LeaveOut",
     "Location",
+    "OutOfMemoryError",
     "OuterFace",
     "Pair",
     "PairList",
@@ -163,5 +168,13 @@ __all__ = [
     "relation",
     "superset",
 ]
+if _typing.TYPE_CHECKING or _find_spec("numpy"):
+    __all__ += [
+        "CONTACT_DTYPE",
+        "ESCAPE_DTYPE",
+        "IMPACT_DTYPE",
+        "PAIR_DTYPE",
+        "SEPARATION_DTYPE",
+    ]
 
 __version__ = "0.2.0"

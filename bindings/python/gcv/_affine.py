@@ -9,18 +9,30 @@ from typing import Any, Optional
 
 from ._coordinates import Points, Rings, check_finite, check_order, numbers, points
 
+_MATRIX = "2 rows of 2 or 3 numbers, 3 rows of 3 that end with 0 0 1, or 6 numbers"
+
 
 def six_numbers(matrix: Any) -> array[float]:
-    """The numbers of a matrix of 2 rows and 3 columns, or of a flat one."""
+    """The numbers of the first two rows of a matrix, or of a flat one of 2 x 3."""
     check_order(matrix, "matrix")
     try:
         rows = list(matrix)
-        values = [x for row in rows for x in row] if len(rows) == 2 else rows
-    except TypeError:
+        values = _two_rows(list(map(list, rows))) if len(rows) in (2, 3) else rows
+    except (TypeError, ValueError):
         values = []
-    found = numbers(values, 6, "matrix", matrix, "2 rows of 3 numbers, or 6 numbers")
+    found = numbers(values, 6, "matrix", matrix, _MATRIX)
     check_finite("matrix", found)
     return found
+
+
+def _two_rows(rows: list[list[Any]]) -> list[Any]:
+    """The numbers of two rows of three; none where the rows are of no affine map."""
+    sizes = list(map(len, rows))
+    if sizes == [2, 2]:
+        return [*rows[0], 0, *rows[1], 0]
+    if sizes == [3, 3] or (sizes == [3, 3, 3] and rows[2] == [0, 0, 1]):
+        return rows[0] + rows[1]
+    return []
 
 
 def moved(given: Rings, matrix: array[float], images: list[Points]) -> Optional[Rings]:

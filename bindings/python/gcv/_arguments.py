@@ -8,6 +8,7 @@ import argparse
 import math
 import re
 import sys
+from pathlib import Path
 from typing import Any, Callable
 
 from . import _answers, _commands, _formats
@@ -23,6 +24,8 @@ _FILES = (
     "The exit status is 0, 1 for a failure, 2 for wrong usage, 130 when interrupted. "
     "The manual page gcv(1) says more."
 )
+
+_OTHER_IMAGES = {".bmp", ".eps", ".gif", ".jpeg", ".jpg", ".pdf", ".png", ".tif", ".tiff", ".webp"}
 
 
 class _Parser(argparse.ArgumentParser):
@@ -235,7 +238,9 @@ def _add_shape_options(
         default=None if formats else "wkt",
         help="of what is printed",
     )
-    to.add_argument("--svg", metavar="FILE", help="also draw a picture, with what was given")
+    to.add_argument(
+        "--svg", type=_drawing, metavar="FILE", help="also draw a picture, with what was given"
+    )
     _add_file_options(to)
 
 
@@ -273,6 +278,12 @@ def _add_file_options(to: argparse.ArgumentParser) -> None:
         metavar="FILE",
         help="print to this file; - is standard output",
     )
+
+
+def _drawing(file: str) -> str:
+    if Path(file).suffix.lower() in _OTHER_IMAGES:
+        raise argparse.ArgumentTypeError(f"{file!r} has the name of another image than SVG")
+    return file
 
 
 def _number(text: str) -> float:

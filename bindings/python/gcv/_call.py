@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterable
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from typing import Any, Callable, Literal, Optional, SupportsFloat, TypeVar, Union
 
 from . import _ffi, _structs
@@ -38,14 +38,14 @@ def run(
     pairs is the number of pairs of vertices. Python runs signal handlers, such as the
     one that raises KeyboardInterrupt, in the main thread and between two of its own
     instructions: not while that thread computes. So it waits here, and another thread
-    computes. Whatever exception ends the waiting cancels the call.
+    computes. Whatever exception ends the waiting cancels the call. Where no thread can start,
+    as when the interpreter ends, this one computes.
     """
     if progress is not None and not callable(progress):
         raise TypeError(f"progress: {progress!r} is not callable")
     short = pairs <= SHORT or threading.current_thread() is not threading.main_thread()
     if progress is None and short:
         return call(_options(rounding, tolerance, threads, leave_out))
-    from concurrent.futures import ThreadPoolExecutor, wait
 
     latest = (0, 0)
     cancelled = 0
@@ -68,13 +68,18 @@ def run(
         finally:
             ended.set()
 
-    with ThreadPoolExecutor(1) as pool:
+    with ExitStack() as pools:
+        future = None
         try:
-            future = pool.submit(compute)
-            if progress is not None:
+            with suppress(RuntimeError):
+                # When the interpreter ends, it cannot even be imported.
+                from concurrent.futures import ThreadPoolExecutor, wait
+
+                future = pools.enter_context(ThreadPoolExecutor(1)).submit(compute)
+            if future and progress is not None:
                 while not wait((future,), _SECONDS_BETWEEN_REPORTS).done:
                     progress(*latest)
-            result = future.result()
+            result = future.result() if future else compute()
         except BaseException:
             cancelled = 1
             while not (turn.acquire(blocking=False) or ended.is_set()):

@@ -4,18 +4,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from ctypes import c_uint64
+from ctypes import c_uint64, sizeof
 from typing import Any, Optional, SupportsFloat
 
 from . import _ffi, _structs
 from ._call import SHORT, Progress
 from ._contacts import Contact
 from ._coordinates import number, pair
+from ._facts import made_by_itself
 from ._many import vertices
 from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
-from ._sources import PolygonLike
+from ._sources import PointLike, PolygonLike
 from ._two_polygons import VERTICES_A_PAIR, ask, distance_in
 
 _NOT_THERE = 2**64 - 1
@@ -25,10 +25,10 @@ _NOT_THERE = 2**64 - 1
 class ContactList(RecordList[Contact]):
     """Contacts, the nearest first; it never changes.
 
-    Made by contacts and Scene.contacts. It is a sequence of Contact, and array has all of
-    them, of dtype CONTACT_DTYPE. Two lists are equal when all numbers of their contacts
-    and of previous are. It can be pickled; a pickled list is none that Scene.contacts takes
-    as previous.
+    Made by contacts and Scene.contacts. It is a sequence of Contact, and array and
+    numpy.asarray have all of them, of dtype CONTACT_DTYPE. Two lists are equal when all
+    numbers of their contacts and of previous are. It can be pickled; a pickled list is none
+    that Scene.contacts takes as previous.
     """
 
     __slots__ = ("_previous",)
@@ -37,8 +37,10 @@ class ContactList(RecordList[Contact]):
     _previous: bytes
     """The indices in an earlier list, as the library gives them."""
 
-    def __init__(self, structs: bytes, previous: bytes, handle: Any = None) -> None:
+    def __init__(self, structs: Any = None, previous: Any = None, handle: Any = None) -> None:
         super().__init__(structs, handle)
+        if not isinstance(previous, bytes) or len(previous) != len(self) * sizeof(c_uint64):
+            raise made_by_itself(self)
         self._previous = previous
 
     @property
@@ -72,7 +74,7 @@ def contact_list(handle: _ffi.ContactList) -> ContactList:
 def contacts(
     a: PolygonLike,
     b: PolygonLike,
-    translation: Iterable[SupportsFloat] = (0, 0),
+    translation: PointLike = (0, 0),
     distance: SupportsFloat = 0.0,
     slope: SupportsFloat = 0.0,
     *,

@@ -1,6 +1,6 @@
 # Copyright (C) 2026 The libgcv authors
 # SPDX-License-Identifier: LGPL-3.0-or-later
-"""The rings of whatever a polygon can be made from, as doubles x0 y0 x1 y1 ..."""
+"""Numbers, points and rings of whatever they can be made from, as doubles x0 y0 x1 y1 ..."""
 
 from __future__ import annotations
 
@@ -10,8 +10,7 @@ import reprlib
 import struct
 import sys
 from array import array
-from collections import Counter
-from collections.abc import Iterable, Mapping, Sequence, Sized
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Sized
 from itertools import accumulate, chain
 from numbers import Complex, Integral, Real
 from typing import Any, Callable, Optional
@@ -25,6 +24,7 @@ _LEAST_INEXACT = 2.0**53
 """Below this, every integer is a float."""
 _FLOATS, _PLAIN, _LISTS = {float}, {float, int}, {list, tuple}
 _SETS = (set, frozenset)
+_NO_PAIRS = (*_SETS, Mapping, bytes, bytearray)
 
 Points = list[tuple[float, float]]
 
@@ -55,36 +55,11 @@ def ring_in_buffer(source: Any) -> Optional[bytes]:
     of_pairs = (view.shape or ())[1:] in ((), (2,)) and view.nbytes % (2 * view.itemsize) == 0
     if of_pairs and view.format in _DOUBLE_FORMATS:
         return view.tobytes()
-    if isinstance(source, (bytes, bytearray)):
-        return None
     if not of_pairs:
         raise invalid(f"a buffer of shape {view.shape} does not hold pairs of numbers")
     values: Any = view.tolist()
     pairs = values if view.ndim == 2 else zip(values[::2], values[1::2])
-    return _doubles_of_pairs(tuple(pairs), _vertex).tobytes()
-
-
-def rings_of(source: Any) -> Rings:
-    """The rings of a geometry, or of a sequence of pairs.
-
-    Raises InputError for anything else.
-    """
-    geometry = getattr(source, "__geo_interface__", source)
-    if isinstance(geometry, Mapping):
-        rings = _rings_of_geometry(geometry)
-        return [_from_pairs(ring, k, elevations=True) for k, ring in enumerate(rings)]
-    if hasattr(source, "read"):
-        raise invalid("an open file is no polygon; pass what it says, or its pathlib.Path")
-    try:
-        return [_from_pairs(source)]
-    except InputError as error:
-        if isinstance(source, (list, tuple)) and _is_ring(source[0]):
-            raise InputError(error.status, f"{error}: it is a ring; pass holes as holes") from None
-        raise
-
-
-def _is_ring(value: Any) -> bool:
-    return isinstance(value, (list, tuple)) and any(isinstance(p, (list, tuple)) for p in value)
+    return doubles_of_pairs(tuple(pairs), vertex_name).tobytes()
 
 
 def rings_of_many(source: Any) -> Optional[list[bytes]]:
@@ -134,18 +109,18 @@ def point_or_points(
         if (view.shape or ())[-1:] == (2,) and view.ndim <= 2:
             return view.tobytes(), view.ndim == 1
         view = None
-    values = _elements(source if view is None else view, name, what)
+    values = elements_of(source if view is None else view, name, what)
     shape = getattr(source, "shape", ())
     if not values and len(shape) > 1 and shape[1:] != (2,):
         raise unfit(name, source, what)
-    if len(values) == 2 and not any(map(_has_size, values)):
+    if len(values) == 2 and not any(map(_has_elements, values)):
         return numbers(values, 2, name, source, "a pair of numbers").tobytes(), True
-    return _doubles_of_pairs(values, lambda k: f"{name}[{k}]").tobytes(), False
+    return doubles_of_pairs(values, lambda k: f"{name}[{k}]").tobytes(), False
 
 
-def _has_size(value: object) -> bool:
+def _has_elements(value: object) -> bool:
     if not isinstance(value, Sized):
-        return False
+        return hasattr(value, "__geo_interface__")
     try:
         len(value)
     except TypeError:  # an array of no dimensions is a number
@@ -153,16 +128,16 @@ def _has_size(value: object) -> bool:
     return True
 
 
-def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
+def elements_of(source: Any, name: str, what: str) -> tuple[Any, ...]:
     """What is in a sequence, all of it; a message calls it by that name, and says what it is not.
 
     A view is taken as lists: Python cannot iterate over one of several dimensions.
     """
     if type(source) in _LISTS:
         return tuple(source)
-    if isinstance(source, Mapping):
-        raise unfit(name, source, what)
     check_order(source, name)
+    if isinstance(source, _NO_PAIRS):
+        raise unfit(name, source, what)
     if has_masked(source):
         raise InputError(INVALID_ARGUMENT, f"{name}: {MASKED}")
     if len(getattr(source, "shape", ())) == 2 and hasattr(source, "to_numpy"):
@@ -170,8 +145,31 @@ def _elements(source: Any, name: str, what: str) -> tuple[Any, ...]:
     try:
         elements = iter(source.tolist() if isinstance(source, memoryview) else source)
     except (TypeError, NotImplementedError):
-        raise unfit(name, source, what) from None
+        elements = _elements_by_interface(source)
+        if elements is None:
+            raise unfit(name, source, what) from None
     return tuple(elements)
+
+
+def is_array(source: object) -> bool:
+    """Whether numpy makes an array of it by an interface for that."""
+    return hasattr(source, "__array__") or hasattr(source, "__array_interface__")
+
+
+def _elements_by_interface(source: Any) -> Optional[Iterator[Any]]:
+    """Those of a point in the manner of shapely, or of an array that only numpy can read."""
+    geometry = getattr(source, "__geo_interface__", None)
+    if isinstance(geometry, Mapping):
+        point = geometry["coordinates"][:2] if geometry.get("type") == "Point" else ()
+        return iter(point) if point else None
+    if not is_array(source):
+        return None
+    try:
+        import numpy
+    except ImportError:
+        return None
+    array = numpy.asarray(source)
+    return iter(array.tolist()) if array.ndim else None
 
 
 def check_order(source: object, name: str) -> None:
@@ -180,7 +178,7 @@ def check_order(source: object, name: str) -> None:
         raise unfit(name, source, "a sequence: a set has no order")
 
 
-def _doubles_of_pairs(
+def doubles_of_pairs(
     values: Sequence[Any], name: Callable[[int], str], *, elevations: bool = False
 ) -> array[float]:
     """The numbers of pairs, taken all at once where none of them is to blame.
@@ -189,7 +187,7 @@ def _doubles_of_pairs(
     """
     try:
         kinds = set(map(type, values))
-        if kinds <= _LISTS or not any(issubclass(kind, (*_SETS, Mapping)) for kind in kinds):
+        if kinds <= _LISTS or not any(issubclass(kind, _NO_PAIRS) for kind in kinds):
             lengths = set(map(len, values))
             if lengths <= {2}:
                 return _floats(tuple(chain.from_iterable(values)))
@@ -206,13 +204,13 @@ def _doubles_of_pairs(
 def _pair(value: Any, name: str, *, elevations: bool) -> array[float]:
     what = "a pair of numbers"
     if elevations and not isinstance(value, (str, Mapping)):
-        return numbers(_elements(value, name, what)[:2], 2, name, value, what)
+        return numbers(elements_of(value, name, what)[:2], 2, name, value, what)
     return numbers(value, 2, name, value, what)
 
 
 def numbers(values: Iterable[Any], count: int, name: str, value: object, what: str) -> array[float]:
     """The values, which should be so many numbers, as floats; value is what the caller passed."""
-    elements = _elements(values, name, what)
+    elements = elements_of(values, name, what)
     try:
         doubles = _floats(elements)
     except OverflowError:
@@ -239,7 +237,7 @@ def _floats(values: tuple[Any, ...]) -> array[float]:
     if kinds != _FLOATS and (max(doubles) >= _LEAST_INEXACT or min(doubles) <= -_LEAST_INEXACT):
         for value, double in zip(values, doubles):
             if isinstance(value, Integral) and int(value) != double:
-                raise ArithmeticError(f"no float is the integer {_short(int(value))}")
+                raise ArithmeticError(f"no float is the integer {short(int(value))}")
     return doubles
 
 
@@ -250,7 +248,7 @@ def _is_no_coordinate(kind: type) -> bool:
 
 def unfit(name: str, value: object, what: str, status: int = INVALID_ARGUMENT) -> InputError:
     """The error for a value that is not what it should be."""
-    return InputError(status, f"{name}: {_short(value)} is not {what}")
+    return InputError(status, f"{name}: {short(value)} is not {what}")
 
 
 def unfit_number(name: str, value: float, what: str) -> InputError:
@@ -267,11 +265,11 @@ def check_finite(name: str, values: Iterable[float]) -> None:
 
 def _too_large(name: str, value: object) -> InputError:
     return InputError(
-        NOT_FINITE, f"{name}: {_short(value)} is not a number that a finite float can be near to"
+        NOT_FINITE, f"{name}: {short(value)} is not a number that a finite float can be near to"
     )
 
 
-def _short(value: object) -> str:
+def short(value: object) -> str:
     """The value in a message."""
     try:
         return " ".join(reprlib.repr(value).split())
@@ -294,12 +292,14 @@ def has_masked(source: Any) -> bool:
 
 
 def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional[memoryview]:
-    """The buffer of a source that holds numbers of these formats; None where there is none.
+    """The buffer of a source that holds numbers of these formats; None for others, and bytes.
 
     Refuses arrays some elements of which are masked: what lies behind a mask is no data.
     """
     if has_masked(source):
         raise invalid(MASKED)
+    if isinstance(source, (bytes, bytearray)):
+        return None
     try:
         view = memoryview(source)
     except (TypeError, ValueError):  # numpy has no buffers of times
@@ -307,69 +307,5 @@ def _buffer(source: Any, formats: tuple[str, ...] = _DOUBLE_FORMATS) -> Optional
     return view if view.format in formats else None
 
 
-def _rings_of_geometry(geometry: Any) -> Sequence[Any]:
-    """The rings of a GeoJSON object."""
-    kind = _kind(geometry)
-    outer: dict[int, Any] = {}  # with what has these ids, which others could take else
-    while kind in ("Feature", "FeatureCollection", "GeometryCollection"):
-        if id(geometry) in outer:
-            raise invalid(f"a {kind} that is in itself is not a polygon")
-        outer[id(geometry)] = geometry
-        if kind == "Feature":
-            geometry = geometry.get("geometry")
-        elif kind == "FeatureCollection":
-            geometry = _only(_member(geometry, "features"), kind)
-        else:
-            geometry = _only_geometry(_member(geometry, "geometries"))
-        kind = _kind(geometry)
-    if kind == "MultiPolygon":
-        return _sequence(_only(_member(geometry, "coordinates"), kind)) or [()]
-    if kind == "LinearRing":
-        return [_sequence(_member(geometry, "coordinates"))]
-    if kind == "Polygon":
-        return _sequence(_member(geometry, "coordinates")) or [()]
-    if kind is None:
-        raise invalid(f"{_short(geometry)} is not a geometry")
-    raise invalid(f"a geometry of type {kind!r} is not a polygon")
-
-
-def _kind(geometry: Any) -> Any:
-    return geometry.get("type") if isinstance(geometry, Mapping) else None
-
-
-def _member(geometry: Mapping[str, Any], name: str) -> Any:
-    if name not in geometry:
-        raise invalid(f"a {_kind(geometry)} without {name} is not a polygon")
-    return geometry[name]
-
-
-def _only_geometry(parts: Any) -> Any:
-    parts = _sequence(parts)
-    if len(parts) != 1:
-        kinds = Counter(str(_kind(part)) for part in parts)
-        found = ", ".join(f"{count} {kind}" for kind, count in kinds.items()) or "nothing"
-        hint = "; Polygon.many reads its polygons" if len(parts) > 1 else ""
-        raise invalid(f"a GeometryCollection of {found} is not one polygon{hint}")
-    return parts[0]
-
-
-def _only(parts: Any, kind: str) -> Any:
-    parts = _sequence(parts)
-    if len(parts) != 1:
-        raise invalid(f"a {kind} of {len(parts)} parts is not one polygon")
-    return parts[0]
-
-
-def _sequence(value: Any) -> Sequence[Any]:
-    if not isinstance(value, Sequence) or isinstance(value, str):
-        raise invalid(f"{_short(value)} in a geometry is not a list")
-    return value
-
-
-def _from_pairs(source: Iterable[Any], ring: int = 0, *, elevations: bool = False) -> bytes:
-    vertices = _elements(source, "polygon", "a polygon, and none can be made from it")
-    return _doubles_of_pairs(vertices, lambda k: _vertex(k, ring), elevations=elevations).tobytes()
-
-
-def _vertex(index: int, ring: int = 0) -> str:
+def vertex_name(index: int, ring: int = 0) -> str:
     return f"polygon: vertex {index}" + (f" of ring {ring}" if ring else "")

@@ -5,11 +5,14 @@
 from __future__ import annotations
 
 import io
+import logging
 import math
 from collections import Counter
 from collections.abc import Iterator
 from typing import Any, Optional
 
+from ._coordinates import Points
+from ._ffi import InputError
 from ._named import NamedPolygon, Reading, curve, invalid, package, too_fine
 from ._nested_rings import Ring, polygons_of_rings
 
@@ -27,6 +30,7 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
     A closed polyline inside another one of its layer is a hole in it, and one inside the
     hole a polygon of its own.
     """
+    logging.getLogger("ezdxf").setLevel(logging.CRITICAL)  # errors are raised
     recover = package("ezdxf.recover", "DXF", reading.file)
     disassemble = package("ezdxf.disassemble", "DXF", reading.file)
     path = package("ezdxf.path", "DXF", reading.file)
@@ -41,19 +45,27 @@ def polygons_of_dxf(data: bytes, reading: Reading) -> list[NamedPolygon]:
         entities = list(_placed(disassemble.recursive_decompose, document.modelspace()))
     except RecursionError:
         raise invalid(reading.file, "DXF: a block is in itself, or nested too deeply") from None
-    except Exception as error:  # whatever a damaged drawing leads to
-        raise invalid(reading.file, f"DXF: {error}") from None
+    except Exception as error:
+        raise _damaged(reading.file, error) from None
     for entity, matrix in entities:
         name = f"{reading.file}: {_name(entity)}"
-        outline = _outline(path.make_path, entity, name, reading, _stretch(matrix))
+        try:
+            outline = _outline(path.make_path, entity, name, reading, matrix)
+        except InputError:
+            raise
+        except Exception as error:
+            raise _damaged(name, error) from None
         if outline is None:
             left_out[entity.dxftype()] += 1
         else:
-            vertices = outline if matrix is None else matrix.transform_vertices(outline)
-            ring = Ring(name, [(vertex.x, vertex.y) for vertex in vertices])
-            layers.setdefault(entity.dxf.layer, []).append(ring)
+            layers.setdefault(entity.dxf.layer, []).append(Ring(name, outline))
     reading.leave_out(left_out)
     return [polygon for rings in layers.values() for polygon in polygons_of_rings(rings)]
+
+
+def _damaged(name: str, error: Exception) -> InputError:
+    """The error for a drawing, or an entity of one, that led to whatever error in ezdxf."""
+    return invalid(name, f"DXF: {str(error) or type(error).__name__}")
 
 
 def _placed(decompose: Any, entities: Any, matrix: Any = None) -> Iterator[tuple[Any, Any]]:
@@ -89,6 +101,16 @@ def _name(entity: Any) -> str:
 
 
 def _outline(
+    make_path: Any, entity: Any, name: str, reading: Reading, matrix: Any
+) -> Optional[Points]:
+    """The vertices of an entity that is closed, where the matrix takes it; None for others."""
+    vertices = _vertices(make_path, entity, name, reading, _stretch(matrix))
+    if vertices is not None and matrix is not None:
+        vertices = matrix.transform_vertices(vertices)
+    return vertices and [(vertex.x, vertex.y) for vertex in vertices]
+
+
+def _vertices(
     make_path: Any, entity: Any, name: str, reading: Reading, stretch: float
 ) -> Optional[list[Any]]:
     """The vertices of an entity that is closed, before it is stretched; None for others."""

@@ -75,7 +75,7 @@ class Result:
 
     def __init__(self, handle: Any = None, facts: Optional[dict[str, Any]] = None) -> None:
         if facts is None and not isinstance(handle, c_void_p):
-            raise TypeError(f"no {type(self).__name__} can be made by itself: functions return it")
+            raise made_by_itself(self)
         self._handle = handle
         self._facts = {} if facts is None else facts
 
@@ -107,6 +107,11 @@ class Result:
 
     def __reduce__(self) -> tuple[type[Result], tuple[None, dict[str, Any]]]:
         return type(self), (None, {name: self._known(name) for name in self._questions})
+
+
+def made_by_itself(made: object) -> TypeError:
+    """The error for arguments that neither the library nor a pickle has."""
+    return TypeError(f"no {type(made).__name__} can be made by itself: functions return it")
 
 
 def of_elements(function: Any, kind: Any) -> Callable[[Any], bytes]:

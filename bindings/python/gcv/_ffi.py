@@ -22,6 +22,7 @@ from typing import Any, Callable, NoReturn
 
 from ._loader import load
 from ._structs import Options, Query, Stats
+from ._versions import NEW_IN_0_2
 
 _library = load()
 
@@ -29,72 +30,8 @@ FUNCTIONS: dict[str, Any] = {}
 """Every function of the library that is declared here, by its name in C."""
 
 
-_NEW_IN_0_2 = {
-    "gcv_polygon_create_rings",
-    "gcv_polygon_create_many",
-    "gcv_polygon_create_disc",
-    "gcv_polygon_affine",
-    "gcv_polygon_ring_count",
-    "gcv_polygon_ring",
-    "gcv_options_init_size",
-    "gcv_no_fit_polygon_many",
-    "gcv_outer_face_exact_indices",
-    "gcv_minkowski_sum_region",
-    "gcv_no_fit_region",
-    "gcv_entrance_region",
-    "gcv_inner_fit_region",
-    "gcv_minkowski_sum_region_many",
-    "gcv_no_fit_region_many",
-    "gcv_region_destroy",
-    "gcv_region_parts",
-    "gcv_region_vertices",
-    "gcv_region_exact_parts",
-    "gcv_region_exact_vertex",
-    "gcv_region_exact_indices",
-    "gcv_region_edge_sources",
-    "gcv_region_edge_owners",
-    "gcv_region_area",
-    "gcv_region_error_bound",
-    "gcv_region_wkt",
-    "gcv_region_fits_wkt",
-    "gcv_region_polygon",
-    "gcv_region_locate",
-    "gcv_region_stats",
-    "gcv_relation",
-    "gcv_distance",
-    "gcv_cast",
-    "gcv_penetration",
-    "gcv_contacts",
-    "gcv_contact_list_destroy",
-    "gcv_contact_list_contacts",
-    "gcv_contact_list_previous",
-    "gcv_scene_create",
-    "gcv_scene_copy",
-    "gcv_scene_destroy",
-    "gcv_scene_set_container",
-    "gcv_scene_add",
-    "gcv_scene_set",
-    "gcv_scene_set_layers",
-    "gcv_scene_remove",
-    "gcv_scene_ids",
-    "gcv_scene_positions",
-    "gcv_scene_polygon",
-    "gcv_scene_free_region",
-    "gcv_scene_best",
-    "gcv_scene_relation",
-    "gcv_scene_distance",
-    "gcv_scene_penetration",
-    "gcv_scene_cast",
-    "gcv_scene_near",
-    "gcv_scene_pairs",
-    "gcv_scene_contacts",
-    "gcv_pair_list_destroy",
-    "gcv_pair_list_pairs",
-}
-
-
 def _declare(name: str, restype: Any, *argtypes: Any) -> Any:
-    if name in _NEW_IN_0_2 and not hasattr(_library, name):
+    if name in NEW_IN_0_2 and not hasattr(_library, name):
         return _Missing(name)
     function = getattr(_library, name)
     function.argtypes = argtypes
@@ -159,18 +96,25 @@ class InputError(Error, ValueError):
     __module__ = "gcv"
 
 
-_INPUT_STATUSES = {
-    INVALID_ARGUMENT,
-    NOT_FINITE,
-    4,  # GCV_ERR_DEGENERATE
-    5,  # GCV_ERR_NOT_SIMPLE
-    PARSE,
+class OutOfMemoryError(Error, MemoryError):
+    """A failure for want of memory."""
+
+    __module__ = "gcv"
+
+
+_KINDS: dict[int, type[Error]] = {
+    INVALID_ARGUMENT: InputError,
+    NOT_FINITE: InputError,
+    4: InputError,  # GCV_ERR_DEGENERATE
+    5: InputError,  # GCV_ERR_NOT_SIMPLE
+    PARSE: InputError,
+    9: OutOfMemoryError,  # GCV_ERR_NO_MEMORY
 }
 
 
 def error(status: int, message: str) -> Error:
     """The exception for a status other than 0."""
-    return (InputError if status in _INPUT_STATUSES else Error)(status, message)
+    return _KINDS.get(status, Error)(status, message)
 
 
 def named(error: Error, name: str) -> Error:

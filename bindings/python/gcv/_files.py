@@ -36,7 +36,7 @@ def read_polygons(
     """
     name, data = name_of(file), _read(file)
     reading = Reading(name, flatten, note)
-    read = _reader_of(data)
+    read = _reader_of(data, name)
     try:
         polygons = read(data, reading)
     except RecursionError:
@@ -48,15 +48,19 @@ def read_polygons(
     return polygons
 
 
-def _reader_of(data: bytes) -> Callable[[bytes, Reading], list[NamedPolygon]]:
+def _reader_of(data: bytes, name: str) -> Callable[[bytes, Reading], list[NamedPolygon]]:
     start = data[:64].lstrip()
     if start.startswith(b"{"):
         return polygons_of_geojson
     if start.startswith(b"<"):
         return polygons_of_svg
     # The first group code of a drawing is that of a section or of a comment.
-    if start.startswith(b"AutoCAD Binary DXF") or start.split(None, 1)[:1] in ([b"0"], [b"999"]):
+    first_line = start.splitlines()[0].strip() if start else b""
+    if start.startswith(b"AutoCAD Binary DXF") or first_line in (b"0", b"999"):
         return polygons_of_dxf
+    if re.match(NUMBER.encode(), start):
+        reason = "these are numbers, and neither Well-Known Text, GeoJSON, SVG nor DXF"
+        raise invalid(name, reason)
     return polygons_of_wkt
 
 

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from ctypes import c_double, c_int32, c_void_p
-from typing import Any, Callable, NamedTuple, Optional, SupportsFloat, Union
+from typing import Any, Callable, NamedTuple, Optional, Union
 
 from . import _ffi
 from ._call import run
@@ -17,7 +17,7 @@ from ._outer_face import OuterFace
 from ._polygon import Polygon, as_polygon
 from ._region import Region
 from ._result_list import ResultList
-from ._sources import PolygonsLike, iterable
+from ._sources import PointLike, PolygonsLike, iterable
 
 _HANDLES = {OuterFace: _ffi.OuterFace, Region: _ffi.Region}
 
@@ -34,7 +34,7 @@ def each(
     kind: Union[type[OuterFace], type[Region]],
     sources: dict[str, PolygonsLike],
     *,
-    references: Optional[Iterable[Iterable[SupportsFloat]]],
+    references: Optional[Iterable[PointLike]],
     return_errors: bool,
     options: tuple[Any, ...],
 ) -> ResultList[Any]:
@@ -73,7 +73,7 @@ def each(
 
 def _read(
     sources: dict[str, PolygonsLike],
-    references: Optional[Iterable[Iterable[SupportsFloat]]],
+    references: Optional[Iterable[PointLike]],
     return_errors: bool,
 ) -> tuple[list[Any], list[_Pair], Origin]:
     """Room for the results with the errors of sources in it, and the pairs without one.

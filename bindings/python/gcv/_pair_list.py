@@ -12,9 +12,9 @@ from ._record_list import RecordList
 class PairList(RecordList[Pair]):
     """Pairs of ids, by a, then by b; it never changes.
 
-    Made by Scene.pairs and Scene.near. It is a sequence of Pair, and array has all of them,
-    of dtype PAIR_DTYPE. Two lists are equal when their pairs are. It can be pickled; a
-    pickled list is none that Scene.pairs takes as previous.
+    Made by Scene.pairs and Scene.near. It is a sequence of Pair, and array and numpy.asarray
+    have all of them, of dtype PAIR_DTYPE. Two lists are equal when their pairs are. It can be
+    pickled; a pickled list is none that Scene.pairs takes as previous.
     """
 
     __slots__ = ()

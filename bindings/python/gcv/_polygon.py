@@ -28,7 +28,7 @@ from ._call import Rounding, value_of
 from ._coordinates import Rings, check_finite, number, pair, points, size, split
 from ._handles import created, mapped, normalised_rings
 from ._shape import Shape, array_of
-from ._sources import PolygonLike, PolygonsLike, read, read_holes
+from ._sources import PointLike, PolygonLike, PolygonsLike, read, read_holes
 
 if TYPE_CHECKING:
     import numpy
@@ -53,17 +53,18 @@ class Polygon(Shape):
     - a sequence of (x, y) pairs of numbers, each converted to a float; integers must be
       floats, as all of them up to 2**53 are;
     - an array or another buffer of numbers, of shape (n, 2) and any strides, or of
-      floats x0 y0 x1 y1 ...; without masked elements;
+      floats x0 y0 x1 y1 ...; without masked elements; what only numpy makes an array of
+      takes numpy;
     - an object with a __geo_interface__, such as one of shapely, or a GeoJSON
       mapping: a Polygon, a LinearRing, a MultiPolygon of one part, or a Feature, a
       FeatureCollection or a GeometryCollection of one of these;
-    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))"
-      or a MULTIPOLYGON of one part;
+    - text, as str or bytes: GeoJSON, or Well-Known Text, "POLYGON ((x y, x y, ...))",
+      a MULTIPOLYGON of one part, or a GEOMETRYCOLLECTION of one of these;
     - the pathlib.Path of a file of such text;
     - another polygon, an outer face, or a region of one polygon and nothing else.
 
-    Elevations of geometries and of text are left out; pairs and arrays must have none.
-    Holes are kept; those of the argument holes are added to them, each a ring in one of
+    Elevations and empty parts of geometries and of text are left out; pairs and arrays must
+    have none. Holes are kept; those of the argument holes are added to them, each a ring in one of
     the forms above. A polygon lies inside its outer ring and outside its holes. Rings may
     touch one another in single points, but not cross or overlap; holes lie in the outer
     ring and outside one another. An outer face is that of the outer rings: holes never
@@ -143,8 +144,8 @@ class Polygon(Shape):
         an Arrow array, as in minkowski_sum_many; a GeoJSON mapping or an object with a
         __geo_interface__ that has several polygons, such as a FeatureCollection or a
         MultiPolygon; text of several, or the pathlib.Path of a file of it; or anything with
-        a source in each place. Segments, points and missing geometries in collections are
-        left out. Those with holes, of text and of collections are made one by one.
+        a source in each place. Segments, points, and missing and empty geometries in
+        collections are left out. Those with holes, of text and of collections are made one by one.
 
         A source that is no polygon leaves the others as they are. With return_errors its
         Error takes the place of the polygon; otherwise the first such Error is raised.
@@ -160,7 +161,7 @@ class Polygon(Shape):
     @classmethod
     def disc(
         cls,
-        centre: Iterable[SupportsFloat],
+        centre: PointLike,
         radius: SupportsFloat,
         tolerance: SupportsFloat,
         *,
@@ -284,8 +285,9 @@ class Polygon(Shape):
     ) -> Polygon:
         """The polygon with (x, y) moved to (m00 x + m01 y + m02, m10 x + m11 y + m12).
 
-        matrix: the 2 rows of 3 numbers, or the same 6 numbers in that order, row by row
-        (shapely.affinity has another order). [[0, -1, 0], [1, 0, 0]] is a quarter turn.
+        matrix: 2 rows of 3 numbers; of 2, where m02 and m12 are 0; 3 rows of 3, the third
+        of which is 0, 0, 1; or the 6 numbers of 2 rows in that order, row by row
+        (shapely.affinity has another order). [[0, -1], [1, 0]] is a quarter turn.
 
         Each coordinate is correctly rounded, to nearest, ties to even, from its exact
         value; quarter turns, reflections and scalings by powers of two are exact so.
@@ -313,7 +315,7 @@ class Polygon(Shape):
                 return given, ()
         return self._given, self._maps
 
-    def translated(self, vector: Iterable[SupportsFloat]) -> Polygon:
+    def translated(self, vector: PointLike) -> Polygon:
         """The polygon moved by the vector (x, y), each coordinate correctly rounded.
 
         As affine does it.

@@ -41,9 +41,11 @@ def rows_of_levels(coordinates: Any, levels: Sequence[Any], missing: Any) -> Row
     def row(gone: bool, start: int, stop: int) -> Union[Rings, InputError]:
         if gone:
             return absent()
-        if stop - start != 1:
-            return invalid(f"a MultiPolygon of {stop - start} parts is not one polygon")
-        return rings[polygons[start] : polygons[stop]] or [b""]
+        parts = [rings[polygons[k] : polygons[k + 1]] for k in range(start, stop)]
+        parts = list(filter(any, parts)) or parts[:1]
+        if len(parts) != 1:
+            return invalid(f"a MultiPolygon of {len(parts)} parts is not one polygon")
+        return parts[0] or [b""]
 
     return list(map(row, missing.tolist(), starts, starts[1:]))
 

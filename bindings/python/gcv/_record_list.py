@@ -9,6 +9,7 @@ from ctypes import sizeof
 from typing import TYPE_CHECKING, Any, ClassVar, Optional, TypeVar, Union, overload
 
 from ._contacts import dtype_of, record_of
+from ._facts import made_by_itself
 
 if TYPE_CHECKING:
     import numpy
@@ -37,7 +38,9 @@ class RecordList(Sequence[_T]):
     _records: Optional[tuple[_T, ...]]
     """The records, once one was asked for."""
 
-    def __init__(self, structs: bytes, handle: Any = None) -> None:
+    def __init__(self, structs: Any = None, handle: Any = None) -> None:
+        if not isinstance(structs, bytes) or len(structs) % sizeof(self._struct):
+            raise made_by_itself(self)
         self._bytes, self._handle, self._records = structs, handle, None
 
     @property
@@ -52,6 +55,14 @@ class RecordList(Sequence[_T]):
         except ImportError:
             return list(self)  # type: ignore[return-value]
         return numpy.frombuffer(self._bytes, dtype_of(self._struct))
+
+    def __array__(
+        self, dtype: Any = None, copy: Optional[bool] = None
+    ) -> numpy.typing.NDArray[Any]:
+        """What numpy.asarray gives: array."""
+        import numpy
+
+        return numpy.array(self.array, dtype, copy=copy)
 
     def _all(self) -> tuple[_T, ...]:
         if self._records is None:

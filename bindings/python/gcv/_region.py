@@ -267,8 +267,9 @@ class Region(Result):
         """Where a point lies in the exact region, or where each of many points lies.
 
         points: (x, y), or an array or another buffer of shape (n, 2), or a sequence of
-        pairs. One point gives a Location. Many give an array of n int8: INSIDE 1,
-        BOUNDARY 0, OUTSIDE -1; without numpy, a list of Location.
+        pairs; or a Point of shapely, or a GeoSeries of them. One point gives a Location.
+        Many give an array of n int8: INSIDE 1, BOUNDARY 0, OUTSIDE -1; without numpy, a
+        list of Location.
 
         Exact, whatever the rounding. The first call makes an index, and then a point takes
         O(log n) for most regions. In a region that was pickled, each point is compared

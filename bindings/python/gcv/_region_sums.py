@@ -14,7 +14,7 @@ from ._many import each, vertex_pairs
 from ._polygon import Polygon, as_polygon
 from ._region import Region
 from ._result_list import ResultList
-from ._sources import PolygonLike, PolygonsLike
+from ._sources import PointLike, PolygonLike, PolygonsLike
 
 
 def minkowski_sum_region(
@@ -53,7 +53,7 @@ def minkowski_sum_region(
 def no_fit_region(
     fixed: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[SupportsFloat] = (0, 0),
+    reference: PointLike = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,
@@ -86,7 +86,7 @@ def no_fit_region(
 def entrance_region(
     a: PolygonLike,
     b: PolygonLike,
-    a0: Iterable[SupportsFloat] = (0, 0),
+    a0: PointLike = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,
@@ -110,7 +110,7 @@ def entrance_region(
 def inner_fit_region(
     container: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[SupportsFloat] = (0, 0),
+    reference: PointLike = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,
@@ -200,7 +200,7 @@ def minkowski_sum_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
+    references: Optional[Iterable[PointLike]] = ...,
     *,
     rounding: Rounding = ...,
     tolerance: SupportsFloat = ...,
@@ -215,7 +215,7 @@ def no_fit_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
+    references: Optional[Iterable[PointLike]] = ...,
     *,
     rounding: Rounding = ...,
     tolerance: SupportsFloat = ...,
@@ -229,7 +229,7 @@ def no_fit_region_many(
 def no_fit_region_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = None,
+    references: Optional[Iterable[PointLike]] = None,
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from operator import is_
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from ._arrow import exported
@@ -29,26 +30,38 @@ class ResultList(list[_T]):
     for regions of geoarrow.multipolygon, with null for errors. That takes pyarrow.
 
     Segments and points of regions are in none of these columns; Region.shapely has them.
-    Slices, sorted copies and sums of it are plain lists.
+    Slices, sorted copies and sums of it are plain lists. Once it was changed in place, such as
+    by sort or append, it has no index and no reference system either: they are of the rows as
+    they were made.
     """
 
     def __init__(
         self, results: Iterable[_T] = (), origin: Origin = NO_ORIGIN, *, of_regions: bool = False
     ) -> None:
         super().__init__(results)
-        self._origin = origin
+        self._made = tuple(self), origin
         self._of_regions = of_regions
 
     @property
+    def _origin(self) -> Origin:
+        """What the rows came with; nothing where they are not those that were made."""
+        rows, origin = self._made
+        same = len(self) == len(rows) and all(map(is_, self, rows))
+        return origin if same else NO_ORIGIN
+
+    @property
     def labels(self) -> Any:
-        """The index of the rows, one of pandas; None where no GeoSeries was given."""
+        """The index of the rows, one of pandas.
+
+        None where no GeoSeries was given, or the list was changed in place.
+        """
         return self._origin.labels
 
     @property
     def crs(self) -> Any:
         """The coordinate reference system as it was given: of pyproj, or as GeoArrow has it.
 
-        None where there was none.
+        None where there was none, or the list was changed in place.
         """
         return self._origin.crs
 

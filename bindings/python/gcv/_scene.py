@@ -4,8 +4,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from ctypes import byref
+from types import FunctionType
 from typing import Any, Optional, SupportsFloat, SupportsIndex, TypeVar
 
 from . import _ffi, _structs
@@ -19,7 +19,7 @@ from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
 from ._scene_places import Places
 from ._scene_questions import NEIGHBOURS, query_of
-from ._sources import PolygonLike
+from ._sources import PointLike, PolygonLike
 from ._two_polygons import distance_in
 from ._whole_numbers import WholeNumbers
 
@@ -66,7 +66,7 @@ class Scene(Places):
     def near(
         self,
         moving: PolygonLike,
-        position: Iterable[SupportsFloat],
+        position: PointLike,
         distance: SupportsFloat = 0.0,
         *,
         layers: Optional[SupportsIndex] = None,
@@ -219,6 +219,13 @@ class Scene(Places):
         reach = 0.0 if member is None else min(distance_in(member, distance), 1e3)
         near = min(int(2 * NEIGHBOURS * (1 + reach) ** 2), max(len(self), 2 * NEIGHBOURS))
         return self._container_vertices() + near * self._vertices
+
+
+# Messages of Python call methods by their qualified names, which no base class is to be in.
+for _base in Scene.__mro__[1:-1]:
+    for _method in vars(_base).values():
+        if isinstance(_method, FunctionType):
+            _method.__module__, _method.__qualname__ = __name__, f"Scene.{_method.__name__}"
 
 
 def _handle_of(

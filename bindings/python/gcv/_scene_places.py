@@ -16,7 +16,7 @@ from ._many import vertices
 from ._polygon import Polygon, as_polygon
 from ._region import Region
 from ._scene_questions import Questions, query_of
-from ._sources import PolygonLike, Vector, Vectors
+from ._sources import PointLike, PolygonLike, Vector, Vectors
 from ._whole_numbers import WholeNumbers
 
 if TYPE_CHECKING:
@@ -78,7 +78,7 @@ class Places(Questions):
     def best(
         self,
         moving: PolygonLike,
-        direction: Iterable[SupportsFloat],
+        direction: PointLike,
         *,
         layers: Optional[SupportsIndex] = None,
         ignore: WholeNumbers = (),

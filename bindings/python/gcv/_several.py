@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Union
 
 from ._columns import column_of, without_errors
+from ._coordinates import is_array
 from ._polygon import Polygon, as_polygon
 from ._shape import Shape
 from ._sources import PolygonLike, iterable
@@ -37,7 +38,8 @@ def polygons_of(source: Any, name: str) -> tuple[list[Polygon], bool]:
 def _is_one(source: Any) -> bool:
     if isinstance(source, (Shape, str, bytes, bytearray, Path, Mapping)):
         return True
-    return hasattr(source, "__geo_interface__") or _is_flat(source)
+    is_only_array = is_array(source) and not isinstance(source, Iterable)
+    return hasattr(source, "__geo_interface__") or is_only_array or _is_flat(source)
 
 
 def _is_flat(source: Any) -> bool:

@@ -20,15 +20,16 @@ from ._coordinates import (
     Rings,
     check_order,
     ring_in_buffer,
-    rings_of,
     unfit,
 )
+from ._geometries import rings_of
 from ._handles import created_of_wkt
 from ._shape import Shape
 from ._texts import geometry_of_text, of_one_part, text_of, without_elevations
 
 if TYPE_CHECKING:
     import numpy
+    import numpy.typing
 
 
 class SupportsArrayInterface(Protocol):
@@ -36,6 +37,12 @@ class SupportsArrayInterface(Protocol):
 
     @property
     def __array_interface__(self) -> dict[str, Any]: ...
+
+
+class SupportsArray(Protocol):
+    """What numpy makes an array of."""
+
+    def __array__(self) -> numpy.typing.NDArray[Any]: ...
 
 
 class SupportsGeoInterface(Protocol):
@@ -50,6 +57,7 @@ PolygonLike = Union[
     str,
     bytes,
     Path,
+    SupportsArray,
     SupportsArrayInterface,
     SupportsGeoInterface,
     "array[float]",
@@ -59,10 +67,12 @@ PolygonLike = Union[
 ]
 """All that Polygon can be made from."""
 
-Vector = Sequence[Union[float, Fraction, Decimal, "numpy.number[Any]"]]
-"""A pair of numbers. These are not all that have a __float__, for arrays have one."""
-Vectors = Union[Iterable[Iterable[SupportsFloat]], SupportsArrayInterface, "memoryview[Any]"]
-"""Many pairs. An array is taken for many: types do not say whether it is one pair."""
+PointLike = Union[Iterable[SupportsFloat], SupportsGeoInterface]
+"""A pair of numbers, or a point in the manner of shapely."""
+Vector = Union[Sequence[Union[float, Fraction, Decimal, "numpy.number[Any]"]], SupportsGeoInterface]
+"""The same. These are not all numbers that have a __float__, for arrays have one."""
+Vectors = Union[Iterable[PointLike], SupportsArrayInterface, "memoryview[Any]"]
+"""Many points. An array is taken for many: types do not say whether it is one pair."""
 
 
 class SupportsArrowArray(Protocol):
@@ -119,6 +129,8 @@ def read(source: Any) -> tuple[Rings, Optional[_ffi.Polygon]]:
 
 def read_holes(sources: Iterable[PolygonLike]) -> Rings:
     """The one ring of each hole."""
+    if isinstance(sources, (str, bytes, bytearray)):
+        raise unfit("holes", sources, "a sequence of polygons, for it is text")
     return [_hole(source, k) for k, source in enumerate(iterable(sources, "holes"))]
 
 

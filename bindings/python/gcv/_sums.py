@@ -16,7 +16,7 @@ from ._many import each, vertex_pairs
 from ._outer_face import OuterFace
 from ._polygon import as_polygon
 from ._result_list import ResultList
-from ._sources import PolygonLike, PolygonsLike
+from ._sources import PointLike, PolygonLike, PolygonsLike
 
 
 class SupersetEdge(NamedTuple):
@@ -83,7 +83,7 @@ def minkowski_sum(
 def no_fit_polygon(
     fixed: PolygonLike,
     moving: PolygonLike,
-    reference: Iterable[SupportsFloat] = (0, 0),
+    reference: PointLike = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,
@@ -119,7 +119,7 @@ def no_fit_polygon(
 def entrance_block(
     a: PolygonLike,
     b: PolygonLike,
-    a0: Iterable[SupportsFloat] = (0, 0),
+    a0: PointLike = (0, 0),
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,
@@ -214,7 +214,7 @@ def minkowski_sum_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
+    references: Optional[Iterable[PointLike]] = ...,
     *,
     rounding: Rounding = ...,
     tolerance: SupportsFloat = ...,
@@ -228,7 +228,7 @@ def no_fit_polygon_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = ...,
+    references: Optional[Iterable[PointLike]] = ...,
     *,
     rounding: Rounding = ...,
     tolerance: SupportsFloat = ...,
@@ -241,7 +241,7 @@ def no_fit_polygon_many(
 def no_fit_polygon_many(
     fixed: PolygonsLike,
     moving: PolygonsLike,
-    references: Optional[Iterable[Iterable[SupportsFloat]]] = None,
+    references: Optional[Iterable[PointLike]] = None,
     *,
     rounding: Rounding = "nearest",
     tolerance: SupportsFloat = 0.0,

@@ -195,6 +195,9 @@ def _check_path_data(data: str, name: str) -> None:
 
     Programs that draw it stop there without a word.
     """
+    word = re.search("nan|inf", data, re.IGNORECASE)
+    if word:
+        raise invalid(name, f"'{word[0]}' in path data is no number")
     start, *commands = re.split(r"([A-DF-Za-df-z])", data)
     for command, numbers in zip(commands[::2], commands[1::2]):
         count = _COUNTS.get(command.upper())

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple, Optional
 
 from ._ffi import PARSE, InputError
+from ._geometries import is_empty
 from ._named import NUMBER, NamedPolygon, Reading, make
 from ._texts import read_json
 
@@ -180,7 +181,7 @@ _LISTS = (list, tuple)
 def geometries(source: Any, *, alone: bool = True) -> Iterator[Any]:
     """The polygons of a source; what is none is given as it is, for whoever reads it.
 
-    alone: whether it is in no collection. What has no area is left out in one.
+    alone: whether it is in no collection. What has no area, or is empty, is left out in one.
     """
     kind = source.get("type") if isinstance(source, Mapping) else None
     if not isinstance(kind, str):
@@ -195,8 +196,8 @@ def geometries(source: Any, *, alone: bool = True) -> Iterator[Any]:
             yield from geometries(source["geometry"], alone=alone)
     elif kind == "MultiPolygon" and isinstance(source.get("coordinates"), _LISTS):
         for rings in source["coordinates"]:
-            yield {"type": "Polygon", "coordinates": rings}
-    elif alone or kind not in _WITHOUT_AREA:
+            yield from geometries({"type": "Polygon", "coordinates": rings}, alone=False)
+    elif alone or not (kind in _WITHOUT_AREA or is_empty(source.get("coordinates"))):
         yield source
 
 

@@ -13,6 +13,15 @@ from typing import Any, Optional, Union
 
 from ._coordinates import Rings, invalid
 from ._ffi import PARSE, InputError
+from ._geometries import not_one_geometry
+
+_DIMENSIONS = rb"\s*(?:ZM|Z|M)?\s*"
+_COLLECTIONS = re.compile(rb"(?:\s*GEOMETRYCOLLECTION" + _DIMENSIONS + rb"\()+", re.IGNORECASE)
+_KIND = re.compile(rb"([A-Z]{5,}?)" + _DIMENSIONS + rb"(?:\(|EMPTY)", re.IGNORECASE)
+_MULTIPOLYGON = re.compile(
+    rb"\s*(MULTI)POLYGON" + _DIMENSIONS + rb"(?:(\((?:\s*EMPTY\s*,)*)|EMPTY\s*$)", re.IGNORECASE
+)
+_EMPTY_PARTS_AT_THE_END = re.compile(rb"(?:,\s*EMPTY\s*)+$", re.IGNORECASE)
 
 
 def text_of(source: Union[str, bytes, bytearray, Path]) -> bytes:
@@ -44,21 +53,35 @@ def read_json(text: bytes, name: str) -> Any:
 
 
 def of_one_part(text: bytes) -> bytes:
-    """Well-Known Text of a MULTIPOLYGON of one part as that of the part.
+    """Well-Known Text of a collection, or of a MULTIPOLYGON, of one polygon as that of it.
 
-    Every other byte stays where it is, with blanks for what goes. Raises InputError for
-    other numbers of parts.
+    Every other byte stays where it is, with blanks for what goes, as empty parts of a
+    MULTIPOLYGON do. Raises InputError for other numbers of polygons.
     """
-    tag = re.match(rb"\s*(MULTI)POLYGON\s*(?:ZM|Z|M)?\s*(?:(\()|EMPTY\s*$)", text, re.IGNORECASE)
+    around = _COLLECTIONS.match(text)
+    if around:
+        text = _bare(text, 0, around.end(), around[0].count(b"("))
+        kinds = [kind.decode().upper() for kind in _KIND.findall(text)]
+        if len(kinds) != 1:
+            raise not_one_geometry(kinds)
+    tag = _MULTIPOLYGON.match(text)
     if not tag:
         return text
     parts = len(re.findall(rb"\(\s*\(", text[tag.end() :])) if tag[2] else 0
     if parts != 1:
         raise invalid(f"a MultiPolygon of {parts} parts is not one polygon")
-    bare = bytearray(text.rstrip())
-    bare[slice(*tag.span(1))] = b" " * len(tag[1])
-    bare[tag.start(2)] = ord(" ")
-    return bytes(bare[:-1] if bare.endswith(b")") else bare)
+    text = _bare(text, *tag.span(2), 1)
+    without = _EMPTY_PARTS_AT_THE_END.search(text)
+    text = text[: without.start()] if without else text
+    return text[: tag.start(1)] + b" " * len(tag[1]) + text[tag.end(1) :]
+
+
+def _bare(text: bytes, start: int, stop: int, brackets: int) -> bytes:
+    """The text with blanks for that from start to stop, and without as many brackets at its end."""
+    text = text[:start] + b" " * (stop - start) + text[stop:].rstrip()
+    for _ in range(brackets):
+        text = text[:-1].rstrip() if text.endswith(b")") else text
+    return text
 
 
 def without_elevations(text: bytes) -> bytes:

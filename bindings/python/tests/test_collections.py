@@ -159,8 +159,35 @@ def test_errors_in_their_places() -> None:
         gcv.Polygon.many(nested)
 
 
+EMPTY: Any = {"type": "Polygon", "coordinates": []}
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        f"MULTIPOLYGON (EMPTY, {FRAME.wkt[8:]})",
+        f"MultiPolygon Z (empty,EMPTY , {FRAME.wkt[8:]}, EMPTY,EMPTY ) ",
+        f"GEOMETRYCOLLECTION (GEOMETRYCOLLECTION (MULTIPOLYGON ({FRAME.wkt[8:]}, EMPTY)))",
+        shapely.from_wkt(f"MULTIPOLYGON (EMPTY, {FRAME.wkt[8:]})"),
+        {"type": "MultiPolygon", "coordinates": [[], GEOMETRIES[1]["coordinates"], [[]]]},
+    ],
+)
+def test_empty_parts_are_left_out(source: Any) -> None:
+    assert gcv.Polygon(source) == FRAME
+    assert gcv.Polygon.many(source) == [FRAME]
+
+
+def test_empty_members_are_left_out() -> None:
+    members = {"type": "GeometryCollection", "geometries": [EMPTY, GEOMETRIES[1], EMPTY]}
+    assert gcv.Polygon.many(members) == [FRAME]
+    (error,) = gcv.Polygon.many(EMPTY, return_errors=True)
+    assert "at least 3 are needed" in str(error)
+
+
 def test_collections_of_one_are_polygons() -> None:
     for collection in (
+        f"GEOMETRYCOLLECTION ({FRAME.wkt})",
+        f" GeometryCollection(GEOMETRYCOLLECTION ( {FRAME.wkt} ) ) ",
         shapely.GeometryCollection([MULTI.geoms[1]]),
         shapely.GeometryCollection([shapely.GeometryCollection([MULTI.geoms[1]])]),
         {"type": "GeometryCollection", "geometries": [GEOMETRIES[1]]},
@@ -179,6 +206,14 @@ def test_collections_of_one_are_polygons() -> None:
         ({"type": "LinearRing"}, "polygon: a LinearRing without coordinates is not a polygon"),
         ({"type": "GeometryCollection"}, "polygon: a GeometryCollection without geometries is"),
         ({"type": "Polygon", "coordinates": None}, "polygon: None in a geometry is not a list"),
+        ("MULTIPOLYGON (EMPTY, EMPTY)", "polygon: a MultiPolygon of 0 parts is not one polygon"),
+        ("MULTIPOLYGON (EMPTY EMPTY, ((0 0, 1 0, 0 1)))", "polygon: byte 20: expected"),
+        ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1))", "polygon: byte 44: expected"),
+        ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 1 a)))", "polygon: byte 42: expected"),
+        (
+            f"GEOMETRYCOLLECTION (POINT (1 1), {FRAME.wkt})",
+            "polygon: a GeometryCollection of 1 POINT, 1 POLYGON is not one polygon; Polygon.many",
+        ),
         (gcv.Scene(), "polygon: <gcv.Scene of 0 members> is not a polygon but a scene"),
     ],
 )

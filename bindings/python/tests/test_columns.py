@@ -4,6 +4,7 @@
 
 from __future__ import annotations
 
+import copy
 import importlib.util
 import json
 import pickle
@@ -74,7 +75,8 @@ def test_polygons_of_columns() -> None:
 
 
 def test_elevations_and_parts_of_one() -> None:
-    column = series([shapely.force_3d(A.iloc[0], 7), shapely.MultiPolygon([A.iloc[2]])])
+    parts = shapely.from_wkt(f"MULTIPOLYGON (EMPTY, {POLYGONS[2].wkt[8:]}, EMPTY)")
+    column = series([shapely.force_3d(A.iloc[0], 7), parts])
     for one in (column, arrow(column, "WKB")):
         assert gcv.Polygon.many(one) == [POLYGONS[0], POLYGONS[2]]
     assert gcv.Polygon.many(arrow(column[:1])) == POLYGONS[:1]
@@ -300,8 +302,30 @@ def test_copies() -> None:
     again = pickle.loads(pickle.dumps(results))
     assert isinstance(again, gcv.ResultList)
     assert again == results
-    assert again.to_geoseries().equals(results.to_geoseries())
+    for one in (again, copy.copy(results), copy.deepcopy(results)):
+        assert one.to_geoseries().equals(results.to_geoseries())
     assert isinstance(results[:2], list)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda results: results.sort(key=len),
+        lambda results: results.reverse(),
+        lambda results: results.append(results[0]),
+        lambda results: results.insert(0, results[1]),
+        lambda results: results.pop(),
+        lambda results: results.__delitem__(0),
+        lambda results: results.__setitem__(0, results[1]),
+        lambda results: results.extend(results[:1]),
+    ],
+)
+def test_changes_in_place_drop_the_index(change: Callable[[Any], object]) -> None:
+    results = gcv.Polygon.many(A)
+    change(results)
+    assert results.labels is None
+    assert results.crs is None
+    assert len(results.to_geoseries()) == len(results)
 
 
 def test_results_as_sources() -> None:

@@ -57,6 +57,7 @@ AT_POSITIONS = ("relation", "a.wkt", "b.wkt", "--positions", "-")
             "simplify a.wkt --tolerance 0 --nosuch",
             "gcv simplify: error: unrecognized arguments: --nosuch",
         ),
+        ("sum a.wkt b.wkt --svg a.PNG", "'a.PNG' has the name of another image than SVG\n"),
     ],
 )
 def test_wrong_usage(folder: Path, command: str, reason: str) -> None:

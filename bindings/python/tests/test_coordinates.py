@@ -17,6 +17,7 @@ import pytest
 from shapes import SQUARE, TRIANGLE
 
 import gcv
+from gcv._contacts import DTYPES
 
 BEYOND = 2**53 + 1
 """The first integer that no float is."""
@@ -115,6 +116,13 @@ def test_mappings_are_no_pairs() -> None:
     check_refused(lambda: gcv.Polygon(geometry), reason)
 
 
+def test_bytes_are_no_pairs() -> None:
+    places: Any = b"ab"
+    check_translation(places, "b'ab' is not a pair of numbers, nor a sequence of pairs")
+    check_translation([places], "b'ab' is not a pair of numbers", r"\[0\]")
+    check_refused(lambda: gcv.entrance_block(SQUARE, SQUARE, places), "a0: b'ab' is not a .*")
+
+
 def test_sets_of_ids() -> None:
     scene = gcv.Scene()
     scene.add(SQUARE, [(0, 0), (5, 0)])
@@ -206,7 +214,17 @@ def test_open_files(tmp_path: Path) -> None:
     assert gcv.Polygon(file) == gcv.Polygon(SQUARE)
 
 
-def test_public_names() -> None:
-    code = "import gcv; print(*(n for n in dir(gcv) if n[0] != '_'))"
+@pytest.mark.parametrize("numpy", ["import numpy", "import sys; sys.modules['numpy'] = None"])
+def test_public_names(numpy: str) -> None:
+    code = f"""
+{numpy}
+import gcv
+names = {{name for name in dir(gcv) if name[0] != "_"}}
+assert names == set(gcv.__all__)
+from gcv import *
+assert names <= set(dir())
+print(*(name for name in names if name.endswith("_DTYPE")))
+"""
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert set(run.stdout.split()) == set(gcv.__all__)
+    found = set(run.stdout.split())
+    assert found == (set(DTYPES) if numpy == "import numpy" else set())

@@ -12,7 +12,7 @@ from typing import Any
 import numpy
 import pytest
 from circles import check_circle
-from program import run_program
+from program import run_program, run_shell
 from test_files import NOT_HERE, error, read
 
 import gcv
@@ -123,6 +123,19 @@ class TestDxf:
         reason = "DXF: this ends before the end of the drawing, EOF"
         assert error(tmp_path, text[: int(share * len(text))]) == reason
         assert len(read(tmp_path, text + "\r\n\x1a")) == 100
+
+    def test_damaged_entity(self, tmp_path: Path, drawing: Any) -> None:
+        polyline = drawing.modelspace().add_polyline2d([(50, 0), (54, 0), (54, 3)], close=True)
+        name = f"POLYLINE {polyline.dxf.handle} of layer '0': DXF: "
+        text = dxf(drawing).replace(" 10\n54.0\n 20\n3.0\n", "")
+        assert error(tmp_path, text).startswith(name)
+
+    def test_warnings_of_ezdxf_are_not_shown(self, tmp_path: Path, drawing: Any) -> None:
+        drawing.modelspace().add_lwpolyline([(7.25, 0), (4, 0), (0, 3)], close=True)
+        text = dxf(drawing).replace("7.25", "9abc")
+        (tmp_path / "a.dxf").write_text(text)
+        run = run_shell(tmp_path, "gcv simplify a.dxf --tolerance 0")
+        assert run.stdout.count("\n") == 1
 
     def test_curves(self, tmp_path: Path, drawing: Any) -> None:
         space = drawing.modelspace()

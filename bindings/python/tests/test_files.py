@@ -99,6 +99,8 @@ def test_many_names_the_file(tmp_path: Path) -> None:
         ("", "there is no polygon in this file"),
         ("POLYGON EMPTY", "there is no polygon in this file"),
         ('{"type": "FeatureCollection", "features": []}', "there is no polygon in this file"),
+        ("0 0\n1 0\n1 1\n", "these are numbers, and neither Well-Known Text, GeoJSON, SVG nor DXF"),
+        (" -.5, 1\n999 0\n1 1\n", "these are numbers, and neither Well-Known Text,"),
         ("\x80", "polygon: byte 0: expected POLYGON"),
         ("POINT (1 1)", "polygon: byte 0: expected POLYGON"),
         ("POLYGON ((0 0, 1 0, 1 1)) POINT (1 1)", "polygon 1: byte 26: expected POLYGON"),

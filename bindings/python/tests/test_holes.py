@@ -231,6 +231,11 @@ def test_no_sequence_of_holes() -> None:
     assert gcv.Polygon(OUTER, None) == gcv.Polygon(OUTER, ()) == gcv.Polygon(OUTER)
     with pytest.raises(gcv.InputError, match=r"^holes: 5 is not a sequence of polygons$"):
         gcv.Polygon(OUTER, 5)  # type: ignore[arg-type]
+    for text in ("POLYGON ((1 1, 2 1, 1 2))", b"POLYGON ((1 1, 2 1, 1 2))"):
+        reason = r"^holes: b?'POLYGON .*' is not a sequence of polygons, for it is text$"
+        with pytest.raises(gcv.InputError, match=reason):
+            gcv.Polygon(OUTER, text)  # type: ignore[arg-type]
+        assert gcv.Polygon(OUTER, [text]).ring_count == 2
 
 
 def test_refused_with_the_ring_of_the_source() -> None:

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import ctypes.util
 import os
+import pickle
 import re
 import shutil
 import subprocess
@@ -18,6 +19,7 @@ from shapes import BINDING, REPOSITORY
 
 import gcv
 from gcv import _ffi, _loader, _structs
+from gcv._versions import NEW_IN_0_2
 
 LIBRARY = os.environ["GCV_LIBRARY"]
 HEADER = REPOSITORY / "capi/include/gcv/gcv.h"
@@ -202,13 +204,31 @@ except AttributeError as error:
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
+@pytest.mark.parametrize(
+    ("status", "kind", "builtin"),
+    [
+        (5, gcv.InputError, ValueError),
+        (9, gcv.OutOfMemoryError, MemoryError),
+        (7, gcv.Error, Exception),
+    ],
+)
+def test_kinds_of_errors(status: int, kind: type[gcv.Error], builtin: type[Exception]) -> None:
+    error = _ffi.named(_ffi.error(status, "polygon: why"), "a")
+    assert type(error) is kind
+    assert isinstance(error, builtin)
+    assert (error.status, str(error)) == (status, "a: why")
+    again = pickle.loads(pickle.dumps(error))
+    assert (type(again), again.args) == (kind, error.args)
+    assert {5: "NOT_SIMPLE", 9: "NO_MEMORY", 7: "RANGE"}[status] in error.status_name
+
+
 def test_with_version_0_1(tmp_path: Path) -> None:
     """A library without the functions of 0.2 serves all but what needs them."""
     program = f"""
 import ctypes
 class Old(ctypes.CDLL):
     def __getattr__(self, name):
-        if name in {sorted(_ffi._NEW_IN_0_2)}:
+        if name in {sorted(NEW_IN_0_2)}:
             raise AttributeError(name)
         return super().__getattr__(name)
 ctypes.CDLL = Old

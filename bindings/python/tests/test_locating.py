@@ -77,7 +77,7 @@ def test_locate_is_exact() -> None:
         ((1, 2, 3), r"points\[0\]: 1 is not a pair of numbers"),
         (np.zeros((2, 3)), r"points\[0\]: array.* is not a pair of numbers"),
         (np.ma.masked_equal(SQUARE, 1), "points: some elements of the array are masked"),
-        (shapely.Point(0, 0), "points: <POINT .*> is not a point, nor"),
+        (shapely.MultiPoint([(0, 0)]), "points: <MULTIPOINT .*> is not a point, nor"),
         ((0, math.nan), "points: the y coordinate of point 0 is nan"),
         ([(0, 0), (math.inf, 0)], "points: the x coordinate of point 1 is inf"),
     ],

@@ -6,6 +6,8 @@ from __future__ import annotations
 
 import os
 import signal
+import subprocess
+import sys
 import threading
 import time
 from collections.abc import Iterator
@@ -206,3 +208,24 @@ def test_an_interrupt_while_the_other_thread_starts(monkeypatch: pytest.MonkeyPa
     assert begun == ended
     time.sleep(0.3)
     assert begun == ended
+
+
+@pytest.mark.parametrize("before", ["", "import concurrent.futures.thread"])
+@pytest.mark.parametrize(
+    "call",
+    [
+        "gcv.minkowski_sum(a, a)",
+        "gcv.minkowski_sum(a, a, progress=lambda *counts: calls.append(counts))",
+    ],
+)
+def test_when_the_interpreter_ends(call: str, before: str) -> None:
+    code = f"""
+import atexit, gcv
+{before}
+a = gcv.Polygon([(k, k * k) for k in range(500)])
+calls = []
+atexit.register(lambda: print(len({call}), len(calls)))
+"""
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout == f"500 {int('progress' in call)}\n"
+    assert run.stderr == ""

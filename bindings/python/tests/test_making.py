@@ -155,7 +155,7 @@ def test_disc_is_a_polygon_like_others() -> None:
     ("arguments", "reason"),
     [
         ((None, 1, 1), "centre: None is not a pair of numbers"),
-        ((shapely.Point(1, 2), 1, 1), "centre: <POINT .*> is not a pair of numbers"),
+        ((shapely.MultiPoint([(1, 2)]), 1, 1), "centre: <MULTIPOINT .*> is not a pair of numbers"),
         (((0, 0), "1", 1), "radius: '1' is not a number"),
         (((0, 0), 1, None), "tolerance: None is not a number"),
         (((0, 0), 10**400, 1), "radius: 100.* is not a number that a finite float can be near to"),
@@ -180,6 +180,7 @@ def test_disc_rounding_refused() -> None:
 IDENTITY = (1, 0, 0, 0, 1, 0)
 QUARTER_TURN = (0, -1, 0, 1, 0, 0)
 REFLECTION = (-1, 0, 0, 0, 1, 0)
+NO_MATRIX = "is not 2 rows of 2 or 3 numbers, 3 rows of 3 that end with 0 0 1, or 6 numbers"
 SHEAR = (1.1, 0.3, 7.0, -0.2, 0.9, -1 / 3)
 
 
@@ -220,10 +221,15 @@ def test_affine_matrices() -> None:
         [SHEAR[:3], SHEAR[3:]],
         np.array(SHEAR),
         np.array(SHEAR).reshape(2, 3),
+        np.array([*SHEAR, 0, 0, 1]).reshape(3, 3),
+        [SHEAR[:3], SHEAR[3:], (0, 0, 1)],
         iter(SHEAR),
     ]
     for matrix in forms:
         assert polygon.affine(matrix) == expected
+    turned = polygon.affine(QUARTER_TURN)
+    assert polygon.affine([[0, -1], [1, 0]]) == turned
+    assert polygon.affine(np.array([(0, -1), (1, 0)])) == turned
 
 
 def test_affine_of_holes() -> None:
@@ -288,11 +294,13 @@ def test_holes_can_be_added_after_maps() -> None:
 @pytest.mark.parametrize(
     ("matrix", "reason"),
     [
-        (None, "matrix: None is not 2 rows of 3 numbers, or 6 numbers"),
-        ([1, 2], r"matrix: \[1, 2\] is not 2 rows of 3 numbers, or 6 numbers"),
-        (np.eye(3), "matrix: .* is not 2 rows of 3 numbers, or 6 numbers"),
-        ([[1, 0], [0, 1]], "matrix: .* is not 2 rows of 3 numbers, or 6 numbers"),
-        ("abcdef", "matrix: 'abcdef' is not 2 rows of 3 numbers, or 6 numbers"),
+        (None, f"matrix: None {NO_MATRIX}"),
+        ([1, 2], rf"matrix: \[1, 2\] {NO_MATRIX}"),
+        (np.ones((3, 3)), f"matrix: .* {NO_MATRIX}"),
+        (np.eye(3)[:, :2], f"matrix: .* {NO_MATRIX}"),
+        (np.zeros((2, 3, 2)), f"matrix: .* {NO_MATRIX}"),
+        ([[1, 0], [0, 1, 0, 0]], f"matrix: .* {NO_MATRIX}"),
+        ("abcdef", f"matrix: 'abcdef' {NO_MATRIX}"),
         ((1, 0, 0, 0, 10**400, 0), "matrix: .* is not a number that a finite float can be near to"),
         ((1, 0, math.nan, 0, 1, 0), "matrix: number 2 is nan, not finite"),
         ((1, 0, 0, 1, 0, 0), "the mapped polygon: .*"),

@@ -34,13 +34,19 @@ def scene() -> gcv.Scene:
     return made
 
 
-@pytest.mark.parametrize("kind", [gcv.OuterFace, gcv.Region])
+@pytest.mark.parametrize("kind", [gcv.OuterFace, gcv.Region, gcv.PairList, gcv.ContactList])
 @pytest.mark.parametrize("handle", [(), (5,), (b"abcdefgh",), (None,), (SQUARE,)])
 def test_results_are_returned_alone(
     kind: Callable[..., object], handle: tuple[object, ...]
 ) -> None:
-    with pytest.raises(TypeError, match="can be made by itself"):
+    with pytest.raises(TypeError, match=f"no {kind.__name__} can be made by itself"):
         kind(*handle)
+
+
+@pytest.mark.parametrize("previous", [(), (5,), (b"abcdefgh",)])
+def test_contacts_have_their_indices(previous: tuple[object, ...]) -> None:
+    with pytest.raises(TypeError, match="can be made by itself"):
+        gcv.ContactList(b"", *previous)
 
 
 @pytest.mark.parametrize(
@@ -113,3 +119,10 @@ def test_what_cannot_be_left_out_has_its_name_in_python(ask: Callable[..., objec
     first = ROOMS if ask is gcv.inner_fit_region else gcv.Scene(ROOMS)
     with pytest.raises(gcv.InputError, match=r"^options: leave_out has 'holes'; \w+ \w+ have all"):
         ask(first, SQUARE, leave_out="holes")
+
+
+@pytest.mark.parametrize("name", ["__init__", "add", "relation", "penetration", "best", "near"])
+def test_messages_name_methods_of_scenes(name: str) -> None:
+    method = getattr(gcv.Scene, name)
+    assert method.__qualname__ == f"Scene.{name}"
+    assert pickle.loads(pickle.dumps(method)) is method

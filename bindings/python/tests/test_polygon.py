@@ -97,6 +97,8 @@ HUGE_NUMBER = 10**5000
         ([1, 2, 3], "vertex 0: 1 is not a pair of numbers"),
         ([(0, 0, 0)], r"vertex 0: \(0, 0, 0\) is not a pair of numbers"),
         (["ab", "cd", "ef"], "vertex 0: 'ab' is not a pair of numbers"),
+        ([b"ab", b"cd", b"eg"], "vertex 0: b'ab' is not a pair of numbers"),
+        ([(0, 0), (1, 0), bytearray(2)], "vertex 2: bytearray.* is not a pair of numbers"),
         ([(0, 0), None], "vertex 1: None is not a pair of numbers"),
         ([(0, 0), (10**400, 0)], r"vertex 1: \(100.*\) is not a number that a finite float .*"),
         ([(0, HUGE_NUMBER)], "vertex 0: an object of type tuple is not a number .*"),

@@ -232,3 +232,13 @@ def test_lists_outlive_their_scene() -> None:
     del scene
     assert len(pairs) == 2
     assert contacts.array["id_a"].min() == 2
+
+
+@pytest.mark.parametrize("found", [row().pairs(1), row().contacts(1), row().pairs()])
+def test_numpy_has_the_array(found: Any) -> None:
+    for made in (np.asarray(found), np.array(found), np.asarray(found, found.array.dtype)):
+        assert made.dtype == found.array.dtype
+        assert made.tobytes() == found.array.tobytes()
+    assert len(np.asarray(found, object)) == len(found)
+    assert np.array(found).flags.writeable
+    assert not np.asarray(found).flags.writeable

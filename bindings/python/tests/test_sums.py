@@ -238,7 +238,7 @@ def test_reference_not_finite() -> None:
     ("point", "reason"),
     [
         (None, "None is not a pair of numbers"),
-        (shapely.Point(0, 0), "<POINT .*> is not a pair of numbers"),
+        (shapely.MultiPoint([(0, 0)]), "<MULTIPOINT .*> is not a pair of numbers"),
         ((1, 2, 3), r"\(1, 2, 3\) is not a pair of numbers"),
         ("12", "'12' is not a pair of numbers"),
         ((0, 10**400), ".* is not a number that a finite float can be near to"),

@@ -128,6 +128,8 @@ class TestSvg:
             ('<path d="M0 0Q1 1 2 0z"/>', "path: this is a curve"),
             ('<path id="p" d="M0 0L1 x 2 z"/>', "path 'p': 'L1' is no command of path data"),
             ('<path d="M0 0L1 0 2z"/>', "path: 'L1 0 2' is no command"),
+            ('<path d="M0 0L1 0L1 NaN z"/>', "path: 'NaN' in path data is no number"),
+            ('<path d="M0 0L1 0Linf 1 z"/>', "path: 'inf' in path data is no number"),
             ('<path d="5M0 0L1 0 2 2z"/>', "path: '5' is no command"),
             ('<polygon id="q" points="0,0 1,0 1"/>', "polygon 'q': the points are not pairs"),
             ('<polygon points="0 0 2 2 2 0 0 2"/>', "polygon: edges "),

@@ -154,7 +154,10 @@ def test_records_can_be_pickled() -> None:
             "translation: some elements of the array are masked",
         ),
         ([(1, 1), np.ma.array([0, 0.5], mask=[False, True])], r"translation\[1\]: .* are masked"),
-        (shapely.Point(0, 0), "translation: <POINT .*> is not a pair of numbers, nor"),
+        (
+            shapely.MultiPoint([(0, 0)]),
+            "translation: <MULTIPOINT .*> is not a pair of numbers, nor",
+        ),
         ((0, math.nan), r"translation\b.*\b0\b.*nan"),
         ([(0, 0), (math.inf, 0)], r"translation\b.*\b1\b.*inf"),
         ([(0, 0)] * 700 + [(0, math.nan)], r"translation\b.*\b700\b.*nan"),
