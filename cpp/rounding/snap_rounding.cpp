@@ -283,7 +283,13 @@ std::optional<SnapRoundedRing> snap_round(const PointVector& polyline, Tally& ta
   unit = {std::max(unit.x, smallest), std::max(unit.y, smallest)};
   using Pixels = SnapRounding::Pixels;
   std::optional<SnapRoundedRing> ring = snap_round(segments, unit, Pixels::closed, tally);
-  return ring ? ring : snap_round(segments, unit, Pixels::half_open, tally);
+  // A walk along chains that cross may leave out nearly all of the ring.
+  constexpr double few = 8;
+  if (ring && ring->error_bound <= few * length_bound(unit.x, unit.y)) {
+    return ring;
+  }
+  std::optional<SnapRoundedRing> other = snap_round(segments, unit, Pixels::half_open, tally);
+  return ring && !(other && other->error_bound < ring->error_bound) ? ring : other;
 }
 
 }  // namespace gcv

@@ -173,10 +173,12 @@ std::optional<UsablePosition> FreePositions::furthest_from(const ExactPoint& fir
   // this margin, most do not: layouts take 0.6 to 1 of the time.
   const Box& extents = reflected_.bounds;
   const double margin = ((extents.x1 - extents.x0) + (extents.y1 - extents.y0)) / 4;
-  const JoinedSolids solids =
-      join_solids_near(scene_, query_, reflected_, widened_outwards(positions, margin));
-  Operands operands{*solids.boundary, reflected_,
-                    merge_directions(*solids.boundary, reflected_, tally)};
+  const std::shared_ptr<const JoinedSolids> kept = scene_.kept_solids().find(query_.layers);
+  const std::shared_ptr<const Boundary> solids =
+      kept ? kept->boundary
+           : join_solids_near(scene_, query_, reflected_, widened_outwards(positions, margin))
+                 .boundary;
+  Operands operands{*solids, reflected_, merge_directions(*solids, reflected_, tally)};
   operands.focus = widened(operands.relative_box(positions), slack_of(operands));
   return furthest_among(operands, direction, first, task, tally);
 }

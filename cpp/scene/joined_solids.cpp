@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <deque>
 #include <span>
 #include <utility>
 
 #include "curve_order.hpp"
 #include "error.hpp"
+#include "part_near.hpp"
 #include "placed_box.hpp"
 
 namespace gcv {
@@ -90,7 +92,18 @@ WindowBorder border_from(Index first, const Box& window, const Boundary& reflect
 
 class Joining {
  public:
-  void add(const Solid& solid) { add(solid.id, solid.boundary, solid.position); }
+  // What matters of it within a box, if one is given.
+  void add(const Solid& solid, const std::optional<Box>& box) {
+    if (box && solid.boundary.size() > few) {
+      const Box seen = moved_outwards(*box, negated(solid.position));
+      if (std::optional<Boundary> part = part_near(solid.boundary, seen)) {
+        made_.push_back(std::move(*part));
+        add(solid.id, made_.back(), solid.position);
+        return;
+      }
+    }
+    add(solid.id, solid.boundary, solid.position);
+  }
   void add(Id owner, const Boundary& boundary, const Point& position) {
     parts_.push_back({boundary, position});
     owners_.insert(owners_.end(), boundary.layout.ring_count(), owner);
@@ -109,6 +122,9 @@ class Joining {
   }
 
  private:
+  static constexpr Index few = 64;  // vertices, of which it does not pay to leave some out
+
+  std::deque<Boundary> made_;
   std::vector<PlacedBoundary> parts_;
   std::vector<Id> owners_;
   Index size_ = 0;
@@ -168,17 +184,18 @@ std::shared_ptr<const JoinedSolids> join_all_solids(const Scene& scene, const Qu
 JoinedSolids join_solids_near(const Scene& scene, const Query& query, const Boundary& reflected,
                               const Box& positions) {
   const Box reach = sum_outwards(positions, turned_round(reflected.bounds));
-  return join_members(scene, query, slots_near(scene, query, reach));
+  return join_members(scene, query, slots_near(scene, query, reach), reach);
 }
 
-JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots) {
+JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots,
+                          const std::optional<Box>& reach) {
   Joining joining;
   if (const std::optional<Solid> container = container_of(scene, query)) {
-    joining.add(*container);
+    joining.add(*container, reach);
   }
   const Index first = joining.size();
   for (const BoxForest::Slot slot : in_a_row(scene, slots)) {
-    joining.add(scene.solid(slot));
+    joining.add(scene.solid(slot), reach);
   }
   return joining.run(first, joining.size(), std::nullopt);
 }
@@ -203,15 +220,16 @@ JoinedSolids join_solids(const Scene& scene, const Query& query, const Boundary&
   const double margin = margin_of(outer);
   const Box frame_box = widened_outwards(outer, margin);
   std::optional<Boundary> frame;
+  const std::optional<Box> near = window ? std::optional(reach) : std::nullopt;
   if (container) {
-    joining.add(*container);
+    joining.add(*container, near);
   } else {
     frame.emplace(outside_of(frame_box));
     joining.add(0, *frame, {0, 0});
   }
   const Index first = joining.size();
   for (const BoxForest::Slot slot : in_a_row(scene, slots_near(scene, query, reach))) {
-    joining.add(scene.solid(slot));
+    joining.add(scene.solid(slot), near);
   }
   const Index last = joining.size();
   if (!window) {

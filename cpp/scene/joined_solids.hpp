@@ -47,7 +47,8 @@ using Slots = std::vector<BoxForest::Slot>;
 Slots slots_near(const Scene& scene, const Query& query, const Box& box);
 
 // The container, if the query admits it, and members, in an order that does not depend on theirs.
-// There must be one of these.
-JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots);
+// There must be one of these. Of large ones, what matters within a box, if one is given.
+JoinedSolids join_members(const Scene& scene, const Query& query, const Slots& slots,
+                          const std::optional<Box>& reach);
 
 }  // namespace gcv

@@ -35,24 +35,31 @@ Slots joined(const Slots& p, const Slots& q) {
 
 }  // namespace
 
+// Fewer vertices are joined as a whole: places nearby find them again.
+constexpr std::size_t many_vertices = 1024;
+
 // Members near a place, joined, and the search among them.
 struct SceneEscapeSearch::Neighbourhood {
-  Slots slots;  // in order
+  Slots slots;               // in order
+  std::optional<Box> reach;  // the solids are known within that, if not everywhere
   JoinedSolids solids;
   Operands operands;
   std::optional<OperandsInRange> in_range;  // these are searched
   std::optional<FreePlaceSearch> search;
   std::optional<FreeBoundary> boundary;  // of what is free, if it is known
 
-  Neighbourhood(const FreePositions& positions, Slots members, Tally& tally)
+  Neighbourhood(const FreePositions& positions, Slots members, const std::optional<Box>& within,
+                Tally& tally)
       : slots(std::move(members)),
-        solids(join_members(positions.scene(), positions.query(), slots)),
+        reach(within),
+        solids(join_members(positions.scene(), positions.query(), slots, reach)),
         operands{*solids.boundary, positions.reflected(),
                  merge_directions(*solids.boundary, positions.reflected(), tally)},
         trial_(operands) {}
 
-  [[nodiscard]] bool holds(const Slots& others) const {
-    return std::includes(slots.begin(), slots.end(), others.begin(), others.end());
+  [[nodiscard]] bool holds(const Slots& others, const Box& near) const {
+    return std::includes(slots.begin(), slots.end(), others.begin(), others.end()) &&
+           (!reach || gcv::holds(*reach, near));
   }
   // Is there a search without a focus? There is none at all where memory has run out.
   [[nodiscard]] bool is_of_use_everywhere() const { return search && !operands.focus; }
@@ -130,6 +137,16 @@ SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, std::size_t
 SceneEscapeSearch::SceneEscapeSearch(SceneEscapeSearch&&) noexcept = default;
 SceneEscapeSearch::~SceneEscapeSearch() = default;
 
+// Of all vertices of the container and of members.
+std::size_t SceneEscapeSearch::size_of(const Slots& slots) const {
+  const Scene& scene = positions_.scene();
+  std::size_t size = scene.container() ? scene.container()->boundary.size() : 0;
+  for (const BoxForest::Slot slot : slots) {
+    size += scene.solid(slot).boundary.size();
+  }
+  return size;
+}
+
 // One that holds the solids serves again. Else it grows by a quarter of what is near at most: more
 // costs what it saves. Where those of the places to come, four at most, would make up the scene, it
 // is all of it: a hundred ways out of a layout take a third to a half of the time then.
@@ -143,7 +160,7 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
   Slots slots = slots_near(positions_.scene(), positions_.query(), near);
   for (std::size_t k = 0; k <= number; ++k) {
     Neighbourhood* const found = neighbourhoods_[k].get();
-    if (found && found->holds(slots) && (k == number || found->is_of_use_everywhere())) {
+    if (found && found->holds(slots, near) && (k == number || found->is_of_use_everywhere())) {
       if (!found->is_of_use_everywhere()) {
         found->begin(positions_.wanted(), std::nullopt, tally_);
       }
@@ -154,13 +171,20 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
   const bool serves_all =
       places_ > 0 &&
       slots.size() * std::min<std::uint64_t>(places_ + 1, most_times) >= positions_.scene().size();
-  std::optional<Slots> more =
-      serves_all ? std::optional(slots_near(positions_.scene(), positions_.query(), everywhere))
-      : last     ? std::optional(joined(last->slots, slots))
-                 : std::nullopt;
-  const bool grows = serves_all || (more && more->size() <= slots.size() + slots.size() / 4);
-  last = std::make_unique<Neighbourhood>(positions_, grows ? std::move(*more) : std::move(slots),
-                                         tally_);
+  Slots more = serves_all ? slots_near(positions_.scene(), positions_.query(), everywhere)
+               : last     ? joined(last->slots, slots)
+                          : Slots();
+  const bool grows = serves_all || (last && more.size() <= slots.size() + slots.size() / 4);
+  if (grows) {
+    slots = std::move(more);
+  }
+  std::optional<Box> reach;
+  if (!serves_all && distance < infinity && size_of(slots) > many_vertices) {
+    reach = !grows        ? std::optional(near)
+            : last->reach ? std::optional(hull_of(*last->reach, near))
+                          : std::nullopt;
+  }
+  last = std::make_unique<Neighbourhood>(positions_, std::move(slots), reach, tally_);
   std::optional<Box> focus;
   if (!grows && distance < infinity) {
     const Point place = last->operands.relative_place(position);
