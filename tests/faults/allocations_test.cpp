@@ -141,15 +141,15 @@ Attempt answers(std::size_t pair_number, const gcv::faults::Question& question, 
   return [=](const Faults& faults) { return attempt(faults, expected); };
 }
 
-// Few answers need no memory of their own, nor does the relation of small convex polygons. With
-// many, threads are asked for.
+// Few answers need no memory of their own, nor do relations and distances of small convex polygons.
+// With many, threads are asked for.
 void starve_questions(std::size_t pair_number, const char* pair_name) {
   constexpr std::size_t few = 6;
   constexpr std::size_t many = 140;
   for (const gcv::faults::Question& question : gcv::faults::questions) {
     const std::string of = std::string(question.name) + " of " + pair_name;
     const std::size_t near = question.takes_memory ? few : many;
-    if (of != "gcv_relation of convex") {
+    if (of != "gcv_relation of convex" && of != "gcv_distance of convex") {
       starve(of + " in few places", answers(pair_number, question, few, few));
     }
     starve(of + " in many places", answers(pair_number, question, many, near));
