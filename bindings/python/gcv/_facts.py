@@ -68,7 +68,7 @@ class Result:
     A pickle has all facts and no handle.
     """
 
-    __slots__ = ("__weakref__", "_facts", "_handle")
+    __slots__ = ("__weakref__", "_facts", "_handle", "_lists")
 
     _questions: ClassVar[dict[str, Callable[[Any], Any]]]
     """How each fact is asked of the library. An exception is a fact too."""
@@ -78,6 +78,7 @@ class Result:
             raise made_by_itself(self)
         self._handle = handle
         self._facts = {} if facts is None else facts
+        self._lists: dict[str, list[Any]] = {}
 
     def _known(self, name: str) -> Any:
         if name not in self._facts:
@@ -93,6 +94,12 @@ class Result:
         if isinstance(fact, Exception):
             raise fact.with_traceback(None)
         return fact
+
+    def _list(self, name: str, make: Callable[[Any], list[Any]]) -> list[Any]:
+        """A list that is made of a fact at the first access: not to be changed."""
+        if name not in self._lists:
+            self._lists[name] = make(self._fact(name))
+        return self._lists[name]
 
     @property
     def _doubles(self) -> bytes:

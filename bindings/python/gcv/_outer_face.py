@@ -63,7 +63,7 @@ class OuterFace(Result, Shape):
         Counter-clockwise from the lexicographically smallest, without collinear
         vertices, not closed. With a tolerance, the ring of the simplified polygons.
         """
-        return exact_points(self._fact("exact"))
+        return self._list("exact", exact_points).copy()
 
     @property
     def sources(self) -> list[EdgeSource]:
@@ -71,7 +71,7 @@ class OuterFace(Result, Shape):
 
         Where several edges of the superset overlap on the ring, one of them.
         """
-        return edge_sources(self._fact("sources"))
+        return self._list("sources", edge_sources).copy()
 
     @property
     def exact_indices(self) -> numpy.typing.NDArray[numpy.int64]:

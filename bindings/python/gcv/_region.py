@@ -39,7 +39,6 @@ from ._locating import (
     locations,
 )
 from ._parts import (
-    PART_OUTER,
     PART_POINT,
     PART_SEGMENT,
     RegionPart,
@@ -89,7 +88,7 @@ class Region(Result):
 
         The vertices of a part are vertices[part.start:part.stop].
         """
-        return parts_of(self._fact("parts"))
+        return self._list("parts", parts_of).copy()
 
     @property
     def vertices(self) -> numpy.typing.NDArray[numpy.float64]:
@@ -147,12 +146,12 @@ class Region(Result):
         segments and points are each in lexicographic order. With a tolerance, the region
         is that of the simplified polygons.
         """
-        return parts_of(self._fact("exact_parts"))
+        return self._list("exact_parts", parts_of).copy()
 
     @property
     def exact(self) -> list[tuple[Fraction, Fraction]]:
         """The vertices of all parts of the exact region, part after part."""
-        return exact_points(self._fact("exact"))
+        return self._list("exact", exact_points).copy()
 
     @property
     def exact_indices(self) -> numpy.typing.NDArray[numpy.int64]:
@@ -176,7 +175,7 @@ class Region(Result):
         second end of a segment and a point have no edge: kind, a and b are 0 there. Where
         several edges of the superset overlap, one of them.
         """
-        return edge_sources(self._fact("sources"))
+        return self._list("sources", edge_sources).copy()
 
     @property
     def owners(self) -> numpy.typing.NDArray[numpy.int64]:
@@ -252,10 +251,13 @@ class Region(Result):
         return Polygon._of(polygons[k])
 
     def _polygon_rings(self) -> list[Rings]:
-        """The rings of each polygon, as doubles."""
-        parts = self.parts
-        doubles = split(self._doubles, (part.stop - part.start for part in parts))
-        return grouped(parts, doubles)
+        """The rings of each polygon, as doubles: not to be changed."""
+
+        def rings(doubles: bytes) -> list[Rings]:
+            parts = self._list("parts", parts_of)
+            return grouped(parts, split(doubles, (part.stop - part.start for part in parts)))
+
+        return self._list("doubles", rings)
 
     @overload
     def locate(self, points: Vector) -> Location: ...
@@ -333,7 +335,7 @@ class Region(Result):
 
     def __len__(self) -> int:
         """The number of polygons."""
-        return sum(part.kind == PART_OUTER for part in self.parts)
+        return len(self._polygon_rings())
 
     def __bool__(self) -> bool:
         """Whether there is any part."""

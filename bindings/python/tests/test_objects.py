@@ -98,6 +98,19 @@ print(one == same, one != same, len({*one, *same}))
     assert run.stdout == "True False 1\n"
 
 
+def test_lists_of_results_are_the_callers() -> None:
+    region = gcv.no_fit_region(ROOMS, SQUARE)
+    for result in (region, gcv.no_fit_polygon(ROOMS, SQUARE)):
+        for name in ("exact", "sources", "parts", "exact_parts"):
+            made = getattr(result, name, None)
+            if made is not None:
+                again = made.copy()
+                made.clear()
+                assert getattr(result, name) == again != []
+    assert len(region) == len(list(region)) == len(region.polygons) > 0
+    assert [region.polygon(k) for k in range(len(region))] == list(region)
+
+
 def test_pickles_of_subclasses() -> None:
     part = Part([(9, 9), *NOTCHED[1:]])
     part.name = "bracket"
