@@ -42,40 +42,42 @@ CrossedLine last_crossing(const SeenPolygon& p, const SeenPolygon& q, const Poin
   return last;
 }
 
-// Does the path of the vertex cross the edge from the right to the left, between its ends, and does
-// all else of the polygon of the vertex lie further right? Then the line of the motion enters the
-// sum there, which is convex.
-bool is_entered(const SeenPolygon& polygon, const SeenPolygon& other, const CrossedLine& crossing,
-                const Point& motion, Tally& tally) {
-  const auto [time, edge, vertex] = crossing;
-  const SumPoint point = other.vertex(vertex);
-  const SumEdge path{point, {0, 0}, motion, motion.x, motion.y};
-  const SumEdge entered = polygon.edge(edge);
-  const auto is_further_right = [&](Index neighbour) {
-    return turn(entered.from, entered.to, point.a, other.vertex(neighbour).a, tally) < 0;
-  };
-  return side(path, polygon.vertex(edge), tally) > 0 &&
-         side(path, polygon.vertex(polygon.next(edge)), tally) < 0 &&
-         side(entered, point, tally) <= 0 && is_further_right(other.next(vertex)) &&
-         is_further_right(other.previous(vertex));
+// Does the path of a vertex of B along the motion cross an edge of A from the right to the left,
+// between its ends; or does an edge of B so cross a vertex of A?
+bool is_entered(const PlacedPair& placed, const ContactName& name, const Point& motion,
+                Tally& tally) {
+  const EdgeAndVertex pair = edge_and_vertex(placed, name);
+  const Point way = name.kind == ContactKind::edge_vertex ? motion : negated(motion);
+  const SumEdge path{pair.vertex, {0, 0}, way, way.x, way.y};
+  return side(path, pair.edge.origin, tally) > 0 && side(path, pair.end(), tally) < 0 &&
+         side(pair.edge, pair.vertex, tally) <= 0;
 }
 
 }  // namespace
 
+// If no part of either polygon lies beyond the contact, the line of the motion enters the sum
+// there, for that is convex.
 std::optional<ContactName> contact_entered(const PlacedPair& placed, const Point& motion,
                                            Tally& tally) {
   const ConvexPair pair(placed);
-  const Point motion_of_a = negated(motion);
   const CrossedLine of_a = last_crossing(pair.a, pair.b, motion);
-  const CrossedLine of_b = last_crossing(pair.b, pair.a, motion_of_a);
-  if (of_a.time > of_b.time) {
-    return is_entered(pair.a, pair.b, of_a, motion, tally)
-               ? std::optional(ContactName{ContactKind::edge_vertex, of_a.edge, of_a.vertex})
-               : std::nullopt;
+  const CrossedLine of_b = last_crossing(pair.b, pair.a, negated(motion));
+  const bool is_of_a = of_a.time > of_b.time;
+  const auto& [time, edge, vertex] = is_of_a ? of_a : of_b;
+  const auto [is_leftmost, parallel] =
+      leftmost((is_of_a ? pair.a : pair.b).edge(edge), is_of_a ? pair.b : pair.a, vertex, tally);
+  if (!is_leftmost) {
+    return std::nullopt;
   }
-  return is_entered(pair.b, pair.a, of_b, motion_of_a, tally)
-             ? std::optional(ContactName{ContactKind::vertex_edge, of_b.vertex, of_b.edge})
-             : std::nullopt;
+  const auto enters = [&](const ContactName& name) {
+    return is_entered(placed, name, motion, tally);
+  };
+  if (parallel) {
+    return first_of_facing(placed, is_of_a ? edge : *parallel, is_of_a ? *parallel : edge, enters);
+  }
+  const ContactName name = is_of_a ? ContactName{ContactKind::edge_vertex, edge, vertex}
+                                   : ContactName{ContactKind::vertex_edge, vertex, edge};
+  return enters(name) ? std::optional(name) : std::nullopt;
 }
 
 }  // namespace gcv

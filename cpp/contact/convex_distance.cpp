@@ -144,21 +144,15 @@ NearestOfConvex proven(const PlacedPair& placed, const ConvexPair& pair, const C
   const bool is_edge_of_a = name.kind == ContactKind::edge_vertex;
   const SeenPolygon& other = is_edge_of_a ? pair.b : pair.a;
   const Index vertex = is_edge_of_a ? name.j : name.i;
-  const auto turn_to = [&](Index neighbour) {
-    return turn(on.edge.from, on.edge.to, on.vertex.a, other.vertex(neighbour).a, tally);
-  };
-  const Index before = other.previous(vertex);
-  const int ahead = turn_to(other.next(vertex));
-  const int behind = turn_to(before);
-  if (side(on.edge, on.vertex, tally) >= 0 || ahead > 0 || behind > 0) {
+  const auto [is_leftmost, parallel] = leftmost(on.edge, other, vertex, tally);
+  if (!is_leftmost || side(on.edge, on.vertex, tally) >= 0) {
     return {Kind::unknown, name};
   }
-  if (ahead < 0 && behind < 0) {
+  if (!parallel) {
     return {Kind::alone, name};
   }
-  const Index across = ahead == 0 ? vertex : before;
-  return is_edge_of_a ? NearestOfConvex{Kind::facing, name, name.i, across}
-                      : NearestOfConvex{Kind::facing, name, across, name.j};
+  return is_edge_of_a ? NearestOfConvex{Kind::facing, name, name.i, *parallel}
+                      : NearestOfConvex{Kind::facing, name, *parallel, name.j};
 }
 
 }  // namespace

@@ -20,8 +20,7 @@ struct NearestOfConvex {
 
 // Of two that are apart, by a walk round both at once in doubles, from a separating edge to the
 // direction along which the gap is largest. What it finds is proven exactly; unknown where it went
-// astray, as where squares of coordinates overflow. Further where the first edge tells it. O(n +
-// m).
+// astray, as in slivers. Further where the first edge tells it. O(n + m).
 NearestOfConvex nearest_of_convex(const PlacedPair& placed, const ConvexPair& pair,
                                   const ConvexSeparation& separation, double distance,
                                   Tally& tally);

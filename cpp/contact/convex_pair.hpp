@@ -3,11 +3,16 @@
 // Two convex polygons of a few vertices, in doubles, seen from the first vertex of A.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
+#include <utility>
 
+#include "contact.hpp"
 #include "polygon_pair.hpp"
+#include "predicates.hpp"
 #include "simd.hpp"
 
 namespace gcv {
@@ -90,6 +95,47 @@ struct ConvexPair {
                            : infinity;
   }
 };
+
+// Does nothing of a polygon lie further left of the line of an edge than this vertex? And the edge
+// of the polygon there that is parallel to the line, if there is one.
+struct LeftmostVertex {
+  bool is_leftmost;
+  std::optional<Index> parallel;
+};
+inline LeftmostVertex leftmost(const SumEdge& edge, const SeenPolygon& polygon, Index vertex,
+                               Tally& tally) {
+  const auto turn_to = [&](Index neighbour) {
+    return turn(edge.from, edge.to, polygon.vertex(vertex).a, polygon.vertex(neighbour).a, tally);
+  };
+  const Index before = polygon.previous(vertex);
+  const int ahead = turn_to(polygon.next(vertex));
+  const int behind = turn_to(before);
+  return {ahead <= 0 && behind <= 0, ahead == 0    ? std::optional(vertex)
+                                     : behind == 0 ? std::optional(before)
+                                                   : std::nullopt};
+}
+
+// Of the contacts of an edge and a vertex of two edges that face each other, the first one for
+// which is(name) is true.
+template <class Is>
+std::optional<ContactName> first_of_facing(const PlacedPair& placed, Index edge_of_a,
+                                           Index edge_of_b, Is is) {
+  using Names = std::array<ContactName, 2>;
+  for (Names names : {Names{{{ContactKind::edge_vertex, edge_of_a, edge_of_b},
+                             {ContactKind::edge_vertex, edge_of_a, placed.b.next(edge_of_b)}}},
+                      Names{{{ContactKind::vertex_edge, edge_of_a, edge_of_b},
+                             {ContactKind::vertex_edge, placed.a.next(edge_of_a), edge_of_b}}}}) {
+    if (order_of(placed, names[1]) < order_of(placed, names[0])) {
+      std::swap(names[0], names[1]);
+    }
+    for (const ContactName& name : names) {
+      if (is(name)) {
+        return name;
+      }
+    }
+  }
+  return std::nullopt;
+}
 
 // Are both convex, with so few vertices that all of them may be looked at?
 [[nodiscard]] inline bool are_small_and_convex(const PlacedPair& placed) {

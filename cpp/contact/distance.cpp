@@ -137,14 +137,19 @@ NearestFeatures with_gap(const PlacedPair& placed, const ContactName& name, Tall
                     : gap_between(edge_and_vertex(placed, name), Nearest::inside)};
 }
 
-// Of two edges that face each other.
-std::optional<NearestFeatures> first_of_facing(const PlacedPair& placed, Index i, Index j,
-                                               Tally& tally) {
+// Of parallel edges that face each other, all contacts of a vertex between the ends of the other
+// edge are as near.
+std::optional<NearestFeatures> nearest_of_facing(const PlacedPair& placed, Index i, Index j,
+                                                 Tally& tally) {
+  const auto is_between_ends = [&](const ContactName& name) {
+    return nearest_on(edge_and_vertex(placed, name), tally) == Nearest::inside;
+  };
+  if (const auto name = first_of_facing(placed, i, j, is_between_ends)) {
+    return with_gap(placed, *name, tally);
+  }
   NearestOf nearest(placed, tally);
   nearest.consider({ContactKind::edge_vertex, i, j});
   nearest.consider({ContactKind::edge_vertex, i, placed.b.next(j)});
-  nearest.consider({ContactKind::vertex_edge, i, j});
-  nearest.consider({ContactKind::vertex_edge, placed.a.next(i), j});
   return nearest.found();
 }
 
@@ -178,7 +183,7 @@ NearestOfPair nearest_of_pair(const PlacedPair& placed, double distance, Tally& 
     case Kind::alone:
       return {relation, with_gap(placed, nearest.name, tally)};
     case Kind::facing:
-      return {relation, first_of_facing(placed, nearest.edge_of_a, nearest.edge_of_b, tally)};
+      return {relation, nearest_of_facing(placed, nearest.edge_of_a, nearest.edge_of_b, tally)};
     case Kind::further:
       return {relation, std::nullopt};
     default:

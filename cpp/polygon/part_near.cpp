@@ -15,11 +15,13 @@ unsigned sides_beyond(const Box& box, const Point& p) {
          (p.y > box.y1 ? 8U : 0U);
 }
 
-// The vertices of a ring without those between the ends of chains beyond one side of the box.
-std::vector<Index> ends_of_chains(const Boundary& boundary, Index ring, const Box& box) {
+// Appends the vertices of a ring without those between the ends of chains beyond one side of the
+// box.
+void add_ends_of_chains(const Boundary& boundary, Index ring, const Box& box,
+                        std::vector<Index>& ends) {
   const Index begin = boundary.layout.begin(ring);
   const Index end = boundary.layout.end(ring);
-  std::vector<Index> ends{begin};
+  ends.push_back(begin);
   const unsigned first = sides_beyond(box, boundary.vertices[begin]);
   unsigned beyond = first;    // all of the chain from the last of the ends
   unsigned previous = first;  // the vertex before
@@ -39,33 +41,41 @@ std::vector<Index> ends_of_chains(const Boundary& boundary, Index ring, const Bo
     step(i, sides_beyond(box, boundary.vertices[i]));
   }
   step(end, first);
-  return ends;
+}
+
+// Some vertices of a boundary, ring after ring.
+struct Kept {
+  std::vector<Index> vertices;
+  std::vector<Index> sizes;  // of the rings
+};
+
+// Of rings of a solid with holes all vertices, and of the first ring always some.
+Kept kept_near(const Boundary& boundary, const Box& box) {
+  const RingLayout& rings = boundary.layout;
+  Kept kept;
+  for (Index ring = 0; ring < rings.ring_count(); ++ring) {
+    const std::size_t before = kept.vertices.size();
+    add_ends_of_chains(boundary, ring, box, kept.vertices);
+    const bool is_near = kept.vertices.size() - before > 2;
+    if (!is_near || boundary.kind == Boundary::Kind::outer) {
+      kept.vertices.resize(before);
+      for (Index i = rings.begin(ring); (is_near || ring == 0) && i < rings.end(ring); ++i) {
+        kept.vertices.push_back(i);
+      }
+    }
+    if (kept.vertices.size() > before) {
+      kept.sizes.push_back(static_cast<Index>(kept.vertices.size() - before));
+    }
+  }
+  return kept;
 }
 
 }  // namespace
 
 std::optional<Boundary> part_near(const Boundary& boundary, const Box& box) {
-  const RingLayout& rings = boundary.layout;
-  const bool is_complement = boundary.kind == Boundary::Kind::hole;
-  std::vector<Index> kept;
-  std::vector<Index> sizes;
-  for (Index ring = 0; ring < rings.ring_count(); ++ring) {
-    std::vector<Index> ends = ends_of_chains(boundary, ring, box);
-    const bool is_near = ends.size() > 2;
-    if (!is_near && ring > 0) {
-      continue;
-    }
-    if (!is_near || !is_complement) {
-      ends.clear();
-      for (Index i = rings.begin(ring); i < rings.end(ring); ++i) {
-        ends.push_back(i);
-      }
-    }
-    kept.insert(kept.end(), ends.begin(), ends.end());
-    sizes.push_back(static_cast<Index>(ends.size()));
-    if (kept.size() > boundary.size() / 2) {
-      return std::nullopt;
-    }
+  const auto [kept, sizes] = kept_near(boundary, box);
+  if (kept.size() > boundary.size() / 2) {
+    return std::nullopt;
   }
   Boundary part;
   part.kind = boundary.kind;
@@ -86,7 +96,8 @@ std::optional<Boundary> part_near(const Boundary& boundary, const Box& box) {
           orientation(part.vertices[previous], part.vertices[i], part.vertices[next], tally) > 0;
     }
   }
-  for (Index ring = 0; is_complement && sizes.size() > 1 && ring < sizes.size(); ++ring) {
+  const bool are_solids = part.kind == Boundary::Kind::hole && sizes.size() > 1;
+  for (Index ring = 0; are_solids && ring < sizes.size(); ++ring) {
     part.solids.push_back(ring);
   }
   return part;

@@ -33,10 +33,19 @@ Slots joined(const Slots& p, const Slots& q) {
   return all;
 }
 
-}  // namespace
-
 // Fewer vertices are joined as a whole: places nearby find them again.
 constexpr std::size_t many_vertices = 1024;
+
+// Of all vertices of the container and of members.
+std::size_t size_of(const Scene& scene, const Slots& slots) {
+  std::size_t size = scene.container() ? scene.container()->boundary.size() : 0;
+  for (const BoxForest::Slot slot : slots) {
+    size += scene.solid(slot).boundary.size();
+  }
+  return size;
+}
+
+}  // namespace
 
 // Members near a place, joined, and the search among them.
 struct SceneEscapeSearch::Neighbourhood {
@@ -137,16 +146,6 @@ SceneEscapeSearch::SceneEscapeSearch(const FreePositions& positions, std::size_t
 SceneEscapeSearch::SceneEscapeSearch(SceneEscapeSearch&&) noexcept = default;
 SceneEscapeSearch::~SceneEscapeSearch() = default;
 
-// Of all vertices of the container and of members.
-std::size_t SceneEscapeSearch::size_of(const Slots& slots) const {
-  const Scene& scene = positions_.scene();
-  std::size_t size = scene.container() ? scene.container()->boundary.size() : 0;
-  for (const BoxForest::Slot slot : slots) {
-    size += scene.solid(slot).boundary.size();
-  }
-  return size;
-}
-
 // One that holds the solids serves again. Else it grows by a quarter of what is near at most: more
 // costs what it saves. Where those of the places to come, four at most, would make up the scene, it
 // is all of it: a hundred ways out of a layout take a third to a half of the time then.
@@ -179,7 +178,7 @@ SceneEscapeSearch::Neighbourhood& SceneEscapeSearch::neighbourhood(std::size_t n
     slots = std::move(more);
   }
   std::optional<Box> reach;
-  if (!serves_all && distance < infinity && size_of(slots) > many_vertices) {
+  if (!serves_all && distance < infinity && size_of(positions_.scene(), slots) > many_vertices) {
     reach = !grows        ? std::optional(near)
             : last->reach ? std::optional(hull_of(*last->reach, near))
                           : std::nullopt;

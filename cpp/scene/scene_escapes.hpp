@@ -39,8 +39,6 @@ class SceneEscapeSearch {
   Neighbourhood& neighbourhood(std::size_t number, const Box& near, const Point& position,
                                double distance);
 
-  [[nodiscard]] std::size_t size_of(const std::vector<BoxForest::Slot>& slots) const;
-
   const FreePositions& positions_;
   Tally& tally_;
   std::uint64_t places_;                                        // that are still to come

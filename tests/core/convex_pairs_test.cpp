@@ -61,6 +61,9 @@ PointVector any_convex(test::Random& random) {
   }
 }
 
+// Then a motion may pass through it in no time.
+bool is_thin(const Boundary& boundary) { return boundary.bounds.y1 - boundary.bounds.y0 < 1e-9; }
+
 struct Candidate {
   ContactName name;
   Gap gap;
@@ -158,8 +161,8 @@ TEST(ConvexDistance, NamesWhatIsNearest) {
   EXPECT_LT(unknown, apart / 20);  // of thin ones
 }
 
-// What the walk finds is not taken on trust.
-TEST(ConvexDistance, IsUnknownWhereSquaresOverflow) {
+// Infinite products lead a walk anywhere: what it finds is proven.
+TEST(ConvexDistance, IsProvenWhereSquaresOverflow) {
   Tally tally;
   const Boundary a = make_ring({{0, 0}, {1e200, 0}, {1e200, 1e200}, {0, 1e200}}, "a");
   const Boundary b = make_ring({{0, 0}, {1e200, 1e200}, {0, 2e200}}, "b");
@@ -169,13 +172,12 @@ TEST(ConvexDistance, IsUnknownWhereSquaresOverflow) {
   const ConvexSeparation separation = convex_separation(pair, tally);
   ASSERT_EQ(separation.relation, Relation::apart);
   const NearestOfConvex nearest = nearest_of_convex(placed, pair, separation, infinity, tally);
-  if (nearest.kind != Kind::unknown) {
-    expect_nearest(placed, nearest, tally);
-  }
+  ASSERT_EQ(nearest.kind, Kind::facing);
+  expect_nearest(placed, nearest, tally);
 }
 
 // An edge that does not separate them leads to a vertex that nothing of its polygon is beyond.
-TEST(ConvexDistance, IsProven) {
+TEST(ConvexDistance, IsProvenFromAnyEdge) {
   Tally tally;
   const Boundary a = make_ring({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, "a");
   const Boundary b = make_ring({{1, 6}, {3, 6}, {2, 9}}, "b");
@@ -196,7 +198,7 @@ TEST(ConvexCast, FindsWhatTheMotionEnters) {
   int found = 0;
   for (int k = 0; k < 4000; ++k) {
     SCOPED_TRACE(std::to_string(k));
-    const Boundary a = make_ring(on_circle(random, test::uniform(random, 3, 20), 5), "a");
+    const Boundary a = make_ring(any_convex(random), "a");
     const Boundary b = make_ring(any_convex(random), "b");
     const PolygonPair polygons(a, b);
     const Point start{test::uniform(random, -240, 240) / 10.0,
@@ -219,7 +221,7 @@ TEST(ConvexCast, FindsWhatTheMotionEnters) {
       EXPECT_EQ(order_of(placed, *entered),
                 std::tuple(impact.contact.kind, impact.contact.a, impact.contact.b));
       EXPECT_FALSE(overlaps_at(impact.time - 1e-9));
-      EXPECT_TRUE(overlaps_at(impact.time + 1e-6)) << impact.time;
+      EXPECT_TRUE(is_thin(a) || is_thin(b) || overlaps_at(impact.time + 1e-6)) << impact.time;
     }
     if (!impact.hit) {
       EXPECT_FALSE(overlaps_at(0.5));
