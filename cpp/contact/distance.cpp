@@ -6,8 +6,10 @@
 #include <cassert>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "convex_distance.hpp"
+#include "far_pairs.hpp"
 #include "relative_pair.hpp"
 
 namespace gcv {
@@ -92,6 +94,17 @@ class NearestPairs {
   boost::container::small_vector<Candidate, 16> candidates_;
 };
 
+// Is is(name) true for one of the pairs of an edge and a vertex that may be nearest to each other,
+// if they are no further than a distance?
+template <class Is>
+bool any_nearest_pair(const PlacedPair& placed, double distance, Is is) {
+  if (are_far_apart(placed)) {
+    const std::vector<ContactName> pairs = nearest_of_far_pair(placed);
+    return std::any_of(pairs.begin(), pairs.end(), is);
+  }
+  return NearestPairs(placed, distance).any(is);
+}
+
 // The nearest of pairs of an edge and a vertex, exactly; of several the first in the order of
 // contacts.
 class NearestOf {
@@ -123,10 +136,10 @@ class NearestOf {
 std::optional<NearestFeatures> nearest_features(const PlacedPair& placed, double distance,
                                                 Tally& tally) {
   NearestOf nearest(placed, tally);
-  static_cast<void>(NearestPairs(placed, distance).any([&](const ContactName& candidate) {
+  any_nearest_pair(placed, distance, [&](const ContactName& candidate) {
     nearest.consider(candidate);
     return false;
-  }));
+  });
   return nearest.found();
 }
 
@@ -214,7 +227,7 @@ std::optional<Relation> relation_within(const PlacedPair& placed, double distanc
   };
   const bool is_near =
       nearest.kind == Kind::unknown
-          ? NearestPairs(placed, distance).any(is_candidate_within)
+          ? any_nearest_pair(placed, distance, is_candidate_within)
           : nearest.kind != Kind::further && is_within(with_gap(placed, nearest.name, tally).gap);
   return is_near ? std::optional(relation) : std::nullopt;
 }
