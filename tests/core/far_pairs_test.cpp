@@ -55,6 +55,31 @@ TEST(FarPairs, HaveTheNearestFeatures) {
   EXPECT_LE(most_pairs, 16U);  // of up to 3,200
 }
 
+// Squares that face each other exactly, in directions that round. All along the facing edges, u v
+// is the same.
+TEST(FarPairs, OfSquaresThatFaceEachOther) {
+  Tally tally;
+  for (const Point& way :
+       {Point{3, 4}, Point{4, -3}, Point{-5, 12}, Point{-15, -8}, Point{7, 24}}) {
+    for (const double aside : {0.0, 0.25, -0.5, 1.5}) {
+      SCOPED_TRACE(std::to_string(way.x) + " " + std::to_string(aside));
+      const auto square = [&](double shift) {
+        const auto at = [&](double along, double left) {
+          return Point{along * way.x - left * way.y, along * way.y + left * way.x};
+        };
+        return make_ring({at(0, shift), at(1, shift), at(1, shift + 1), at(0, shift + 1)},
+                         "square");
+      };
+      const Boundary a = square(0);
+      const Boundary b = square(aside);
+      const PolygonPair polygons(a, b);
+      const PlacedPair placed(polygons, {way.x * 0x1p70, way.y * 0x1p70});
+      ASSERT_TRUE(are_far_apart(placed));
+      expect_nearest(placed, nearest_of_pair(placed, infinity, tally).features->gap, tally);
+    }
+  }
+}
+
 TEST(FarPairs, AreMuchFartherThanLarge) {
   const Boundary a = make_ring({{0, 0}, {4, 0}, {0, 3}}, "a");
   const PolygonPair polygons(a, a);
