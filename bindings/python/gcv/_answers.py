@@ -7,11 +7,14 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from enum import IntEnum
-from typing import Any, Callable, NamedTuple, Optional
+from typing import Any, Callable, NamedTuple, Optional, Union
 
 from ._contact_list import ContactList
-from ._contacts import Contact, ContactKind, Escape, Impact, Relation, Separation
+from ._contacts import Contact, ContactKind, Escape, Impact, Pair, Relation, Separation
+from ._members import CONTAINER_ID, FIRST_ID
+from ._pair_list import PairList
 from ._polygon import digits
+from ._record_list import RecordList
 
 
 class Answer(NamedTuple):
@@ -25,12 +28,13 @@ class Answer(NamedTuple):
 
 
 def text(answers: Sequence[Answer]) -> str:
-    """A line for each record, and for each contact of a list."""
+    """A line for each record, and for each one of a list."""
     lines = []
     for numbers, _, record in answers:
-        records = record if isinstance(record, ContactList) else [record]
+        records = record if isinstance(record, RecordList) else [record]
         for one in records:
-            lines.append(" ".join([*map(str, numbers.values()), _TEXTS[type(one)](one)]))
+            about = [*numbers.values(), *_members_of(one).values()]
+            lines.append(" ".join([*map(str, about), _TEXTS[type(one)](one)]))
     return "\n".join(lines)
 
 
@@ -52,8 +56,22 @@ _NAMES = {
     tuple: "position",
     type(None): "position",
     ContactList: "contacts",
+    PairList: "pairs",
 }
 """What a record is called that has no names of its own."""
+
+
+def _members_of(record: Any) -> dict[str, Union[int, str]]:
+    """What of a scene a record of a list is about: numbers of its file, or the container."""
+    ids = {}
+    if isinstance(record, Pair):
+        ids = {"a": record.a, "b": record.b}
+    elif isinstance(record, Contact) and record.id_b:
+        ids = {"polygon_a": record.id_a, "polygon_b": record.id_b}
+    return {
+        name: "container" if number == CONTAINER_ID else number - FIRST_ID
+        for name, number in ids.items()
+    }
 
 
 def _object(record: Any) -> dict[str, Any]:
@@ -64,10 +82,12 @@ def _object(record: Any) -> dict[str, Any]:
 def _value(of: Any) -> Any:
     if isinstance(of, IntEnum):
         return of.name.lower().replace("_", "-")
-    if isinstance(of, ContactList):
-        return [_value(contact) for contact in of]
+    if isinstance(of, RecordList):
+        return list(map(_value, of))
     if hasattr(of, "_asdict"):
-        return {name: _value(value) for name, value in of._asdict().items() if name not in _IDS}
+        members, others = _members_of(of), of._asdict()
+        names = [name for name in others if name not in _IDS and name not in members]
+        return {**members, **{name: _value(others[name]) for name in names}}
     return of
 
 
@@ -103,12 +123,17 @@ def _relation_text(relation: Relation) -> str:
     return relation.name.lower()
 
 
+def _pair_text(pair: Pair) -> str:
+    return _relation_text(pair.relation)
+
+
 _TEXTS: dict[type, Callable[[Any], str]] = {
     Relation: _relation_text,
     Separation: _separation_text,
     Impact: _impact_text,
     Escape: _escape_text,
     Contact: _contact_text,
+    Pair: _pair_text,
     tuple: _point_text,
     type(None): _point_text,
 }

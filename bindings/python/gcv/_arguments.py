@@ -78,9 +78,8 @@ def parser() -> argparse.ArgumentParser:
     _add_shape_options(one)
 
     one = command("free", _commands.free, "where B is free among the polygons of a scene")
-    one.add_argument("scene", metavar="SCENE", help="a file, all polygons of which are there")
+    _add_scene(one, "a polygon that B is to be in")
     _add_operand(one, "b")
-    one.add_argument("--container", metavar="FILE", help="a polygon that B is to be in")
     one.add_argument(
         "--window",
         nargs=4,
@@ -125,17 +124,20 @@ def parser() -> argparse.ArgumentParser:
 
     one = command("contacts", _commands.contact_lists, "what of A and B touches, or is near to it")
     _add_operands(one)
-    one.add_argument(
-        "--distance", type=_limit, default=0.0, help="how far apart contacts may be; default 0"
-    )
-    one.add_argument(
-        "--slope",
-        type=_limit,
-        default=0.0,
-        metavar="TANGENT",
-        help="by how much sides may be turned to touch; default 0",
-    )
+    _add_contact_limits(one)
     _add_question_options(one, positions=False)
+
+    text = "which polygons of a scene overlap, touch, or are near"
+    one = command("scene-pairs", _commands.scene_pairs, text)
+    _add_scene(one)
+    _add_limit(one)
+    _add_answer_options(one)
+
+    text = "what of the polygons of a scene touches, or is near"
+    one = command("scene-contacts", _commands.scene_contacts, text)
+    _add_scene(one)
+    _add_contact_limits(one)
+    _add_answer_options(one)
 
     one = command("offset", _commands.offsets, "A grown by a distance, or shrunk by it")
     _add_operand(one, "a")
@@ -177,6 +179,11 @@ def _add_operand(to: argparse.ArgumentParser, name: str) -> None:
     )
 
 
+def _add_scene(to: argparse.ArgumentParser, container: str = "a polygon round them") -> None:
+    to.add_argument("scene", metavar="SCENE", help="a file, all polygons of which are there")
+    to.add_argument("--container", metavar="FILE", help=container)
+
+
 def _add_point(to: argparse._ActionsContainer, name: str, help_text: str) -> None:
     to.add_argument(
         name,
@@ -210,6 +217,22 @@ def _add_leave_out(to: argparse.ArgumentParser, parts: list[str]) -> None:
 def _add_tolerance(to: argparse.ArgumentParser, text: str, **keywords: Any) -> None:
     keywords = {"type": _limit, **keywords}
     to.add_argument("--tolerance", metavar="DISTANCE", help=text, **keywords)
+
+
+def _add_contact_limits(to: argparse.ArgumentParser) -> None:
+    _add_limit(to)
+    to.add_argument(
+        "--slope",
+        type=_limit,
+        default=0.0,
+        metavar="TANGENT",
+        help="by how much sides may be turned to touch; default 0",
+    )
+
+
+def _add_limit(to: argparse.ArgumentParser) -> None:
+    text = "how far apart they may be; default 0"
+    to.add_argument("--distance", type=_limit, default=0.0, help=text)
 
 
 def _add_shape_options(
@@ -254,6 +277,11 @@ def _add_question_options(to: argparse.ArgumentParser, *, positions: bool = True
         )
     else:
         to.set_defaults(positions=None)
+    _add_answer_options(to)
+
+
+def _add_answer_options(to: argparse.ArgumentParser) -> None:
+    """The options of what gives answers."""
     _add_threads(to)
     to.add_argument(
         "--format", choices=list(_answers.FORMATS), default="text", help="of what is printed"

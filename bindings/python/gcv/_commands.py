@@ -128,9 +128,7 @@ def free(options: Options) -> str:
             f"--format {form} is not for {'a position' if options.best else 'regions'}"
         )
     _check_limits(options)
-    members = [member.polygon for member in polygons_of(options, "scene", or_none=True)]
-    scene = Scene(None if options.container is None else _container(options))
-    scene.add(members)
+    scene, members = _scene(options)
     moving = operands(options, "b")
     if options.best is not None:
         keywords = _keywords(options, "threads", "leave_out")
@@ -175,6 +173,14 @@ def _check_limits(options: Options) -> None:
         raise UsageError("there is no end to what is free: --container or --window is needed")
 
 
+def _scene(options: Options) -> tuple[Scene, list[Polygon]]:
+    """A scene of all polygons of a file, in its order, and these."""
+    members = [member.polygon for member in polygons_of(options, "scene", or_none=True)]
+    scene = Scene(None if options.container is None else _container(options))
+    scene.add(members)
+    return scene, members
+
+
 def _container(options: Options) -> Polygon:
     first, *others = polygons_of(options, "container")
     if others:
@@ -203,6 +209,22 @@ def penetrations(options: Options) -> str:
 def contact_lists(options: Options) -> str:
     limits = options.distance, options.slope
     return _answers_of(options, contacts, None, *limits)
+
+
+def scene_pairs(options: Options) -> str:
+    return _list_of(options, Scene.pairs, "distance")
+
+
+def scene_contacts(options: Options) -> str:
+    return _list_of(options, Scene.contacts, "distance", "slope")
+
+
+def _list_of(options: Options, function: Callable[..., Any], *names: str) -> str:
+    """The list that a function gives for a scene, with the options of these names."""
+    scene, _ = _scene(options)
+    with progress_bar() as progress:
+        found = function(scene, **_keywords(options, *names, "threads"), progress=progress)
+    return _answers.FORMATS[options.format]([Answer({}, None, found)])
 
 
 def _answers_of(

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 
 _MembersType = TypeVar("_MembersType", bound="Members")
 
-_CONTAINER_ID, _FIRST_ID = 1, 2
+CONTAINER_ID, FIRST_ID = 1, 2
 _IDS_AT_A_TIME = 1 << 16
 _POSITIONS = "a pair of numbers, nor a sequence of pairs"
 
@@ -60,7 +60,7 @@ class Members:
         _ffi.scene_create(byref(handle))
         self._gate, self._handle = Gate(), handle
         self._container, self._polygons, self._layers = None, {}, {}
-        self._last, self._vertices = _FIRST_ID - 1, 0
+        self._last, self._vertices = FIRST_ID - 1, 0
         if container is not None:
             self.container = container
 
@@ -271,7 +271,7 @@ class Members:
         number = one_id(id, "id")
         polygon = self._polygons.get(number)
         if polygon is None:
-            whose = "the container's, " if number == _CONTAINER_ID else ""
+            whose = "the container's, " if number == CONTAINER_ID else ""
             message = f"id is {number}, {whose}not that of a member"
             raise _ffi.InputError(_ffi.INVALID_ARGUMENT, message)
         return polygon
@@ -385,7 +385,7 @@ def _restored(
     Members.__init__(scene, container)
     places = dict(zip(polygons, points(positions)))
     none = Polygon([(0, 0), (1, 0), (0, 1)]), (0.0, 0.0)
-    for start in range(_FIRST_ID, last + 1, _IDS_AT_A_TIME):
+    for start in range(FIRST_ID, last + 1, _IDS_AT_A_TIME):
         ids = range(start, min(start + _IDS_AT_A_TIME, last + 1))
         members = [(polygons[k], places[k]) if k in polygons else none for k in ids]
         Members.add(scene, [polygon for polygon, _ in members], [place for _, place in members])

@@ -131,6 +131,50 @@ def test_questions(folder: Path) -> None:
     assert contacts[4:] == ["vertex 2 of A, vertex 0 of B, gap 0.5, at 6 6"]
 
 
+def test_scene_pairs(folder: Path) -> None:
+    (folder / "scene.wkt").write_text(f"{SLOT}\nPOLYGON ((6 0, 8 0, 8 1, 6 1))\n{PEG}\n")
+    assert output(folder, "scene-pairs scene.wkt") == "0 1 touching\n0 2 overlapping\n"
+    (folder / "sheet.wkt").write_text("POLYGON ((1 -1, 9 -1, 9 7, 1 7))")
+    command = "scene-pairs - --container sheet.wkt --distance 1 --threads 2"
+    assert output(folder, command, text=(folder / "scene.wkt").read_text()) == (
+        "container 0 overlapping\ncontainer 1 apart\ncontainer 2 overlapping\n"
+        "0 1 touching\n0 2 overlapping\n"
+    )
+    assert as_json(folder, "scene-pairs scene.wkt") == {
+        "pairs": [
+            {"a": 0, "b": 1, "relation": "touching"},
+            {"a": 0, "b": 2, "relation": "overlapping"},
+        ]
+    }
+    assert output(folder, "scene-pairs -", "MULTIPOLYGON EMPTY") == ""
+    assert output(folder, "scene-pairs - --format json", "MULTIPOLYGON EMPTY") == '{"pairs": []}\n'
+
+
+def test_scene_contacts(folder: Path) -> None:
+    (folder / "scene.wkt").write_text(f"POLYGON ((7 0, 8 0, 8 1, 7 1))\n{SLOT}\n")
+    assert output(folder, "scene-contacts scene.wkt") == ""
+    assert output(folder, "scene-contacts scene.wkt --distance 1") == (
+        "0 1 edge 3 of A, vertex 1 of B, gap 1, at 7 0\n"
+        "0 1 vertex 0 of A, edge 1 of B, gap 1, at 7 0\n"
+        "0 1 vertex 3 of A, edge 1 of B, gap 1, at 7 1\n"
+        "0 1 vertex 0 of A, vertex 1 of B, gap 1, at 7 0\n"
+    )
+    (folder / "sheet.wkt").write_text("POLYGON ((-1 0, 9 0, 9 7, -1 7))")
+    command = "scene-contacts scene.wkt --container sheet.wkt --distance 1 --slope 1e-9"
+    contacts = as_json(folder, command)["contacts"]
+    scene = gcv.Scene("POLYGON ((-1 0, 9 0, 9 7, -1 7))")
+    scene.add([gcv.Polygon([(7, 0), (8, 0), (8, 1), (7, 1)]), gcv.Polygon(SLOT)])
+    assert [(one["gap"], one["a"], one["b"]) for one in contacts] == [
+        (one.gap, one.a, one.b) for one in scene.contacts(1, 1e-9)
+    ]
+    numbers = {1: "container", 2: 0, 3: 1}
+    assert [(one["polygon_a"], one["polygon_b"]) for one in contacts] == [
+        (numbers[one.id_a], numbers[one.id_b]) for one in scene.contacts(1, 1e-9)
+    ]
+    keys = {"polygon_a", "polygon_b", "kind", "a", "b", "gap", "normal", "on_a", "on_b"}
+    assert set(contacts[0]) == keys
+
+
 def test_positions_that_overlap_still(folder: Path) -> None:
     """No floats beside the exact position, on slanted edges, are free."""
     (folder / "c.wkt").write_text("POLYGON ((8.5 6.3, 7 4.1, 7.5 7.2, 6.7 3.5))")
@@ -297,7 +341,7 @@ def test_version_and_help(folder: Path) -> None:
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        ("gcv s", {"sum", "simplify"}),
+        ("gcv s", {"sum", "simplify", "scene-pairs", "scene-contacts"}),
         ("gcv inner", {"inner-fit"}),
         ("gcv sum --t", {"--tolerance", "--threads"}),
         ("gcv sum --format ", {"wkt", "geojson", "svg", "exact"}),
