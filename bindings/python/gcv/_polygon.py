@@ -84,7 +84,7 @@ class Polygon(Shape):
     OSError for a file that cannot be read.
     """
 
-    __slots__ = ("__weakref__", "_given", "_handle", "_maps", "_rings", "_vertices")
+    __slots__ = ("__weakref__", "_arrays", "_given", "_handle", "_maps", "_rings", "_vertices")
 
     _given: Rings
     """The rings as passed, which alone know the caller's numbers."""
@@ -93,6 +93,8 @@ class Polygon(Shape):
     _handle: _ffi.Polygon
     _rings: Optional[list[bytes]]
     """The normalised rings, once they were asked for."""
+    _arrays: Optional[list[numpy.typing.NDArray[numpy.float64]]]
+    """Arrays of them, likewise."""
     _vertices: int
     """How many there are in all rings as passed."""
 
@@ -110,7 +112,7 @@ class Polygon(Shape):
         self, given: Rings, handle: Optional[_ffi.Polygon], maps: tuple[bytes, ...] = ()
     ) -> None:
         self._given, self._handle, self._maps = given, handle or created(given), maps
-        self._rings = None
+        self._rings = self._arrays = None
         self._vertices = sum(map(size, given))
 
     @classmethod
@@ -219,8 +221,15 @@ class Polygon(Shape):
 
         As in vertices, points are reordered, and some are dropped: the numbers of contacts
         and sources are those of the points as passed, not of these.
+
+        The arrays are made at the first access, and are the same ones at every other.
         """
-        return [array_of(doubles) for doubles in self._ring_doubles]
+        if self._arrays is None:
+            arrays = [array_of(doubles) for doubles in self._ring_doubles]
+            if isinstance(arrays[0], list):
+                return arrays  # these can be changed
+            self._arrays = arrays
+        return self._arrays.copy()
 
     @property
     def holes(self) -> list[numpy.typing.NDArray[numpy.float64]]:

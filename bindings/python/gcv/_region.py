@@ -111,9 +111,17 @@ class Region(Result):
 
         The rings look at the memory of vertices. polygon(k) and iteration give a Polygon.
         """
-        return [
-            RegionPolygon(outer, holes) for outer, *holes in by_polygon(self.parts, self.vertices)
-        ]
+        return [RegionPolygon(outer, holes) for outer, *holes in self._polygon_arrays()]
+
+    def _polygon_arrays(self) -> list[list[numpy.typing.NDArray[numpy.float64]]]:
+        """The rings of each polygon: not to be changed."""
+        arrays = self._lists.get("polygons")
+        if arrays is None:
+            vertices = self.vertices
+            arrays = by_polygon(self._list("parts", parts_of), vertices)
+            if not isinstance(vertices, list):  # these can be changed
+                self._lists["polygons"] = arrays
+        return arrays
 
     @property
     def segments(self) -> numpy.typing.NDArray[numpy.float64]:

@@ -165,6 +165,12 @@ region = gcv.no_fit_region(slot, [(0, 0), (2, 0), (2, 2), (0, 2)])
 corners = [(-2.0, -2.0), (6.0, -2.0), (6.0, 6.0), (-2.0, 6.0)]
 assert region.vertices == [*corners, (2.0, 2.0), (2.0, 6.0)], region.vertices
 assert region.polygons == [(corners, [])], region.polygons
+region.polygons[0].outer.clear()
+assert region.polygons == [(corners, [])], region.polygons
+room = gcv.Polygon(corners, [[(0, 0), (1, 0), (0, 1)]])
+room.rings[0].clear()
+room.holes[0].clear()
+assert room.rings == [corners, [(0, 0), (0, 1), (1, 0)]], room.rings
 assert region.segments == [((2.0, 2.0), (2.0, 6.0))], region.segments
 assert region.points == [] and region.exact_indices == [0, 1, 2, 3, 4, 5]
 assert region.locate([(2, 3), (1, 3)]) == [gcv.BOUNDARY, gcv.INSIDE]

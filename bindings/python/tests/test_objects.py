@@ -111,6 +111,27 @@ def test_lists_of_results_are_the_callers() -> None:
     assert [region.polygon(k) for k in range(len(region))] == list(region)
 
 
+@pytest.mark.parametrize("change", [lambda of: of, lambda of: pickle.loads(pickle.dumps(of))])
+def test_arrays_of_rings_are_made_once(change: Callable[[Any], Any]) -> None:
+    polygon, region = change(ROOMS), change(gcv.no_fit_region(ROOMS, SQUARE))
+    asks: list[Callable[[], list[Any]]] = [
+        lambda: polygon.rings,
+        lambda: polygon.holes,
+        lambda: [region.polygons[0].outer],
+        lambda: region.polygons[0].holes,
+    ]
+    for ask in asks:
+        made = ask()
+        for ring, same in zip(made, ask()):
+            assert ring is same
+            with pytest.raises(ValueError, match="WRITEABLE"):
+                ring.flags.writeable = True
+        made.clear()
+        assert len(ask()) > 0
+    region.polygons.clear()
+    assert len(region.polygons) > 0
+
+
 def test_pickles_of_subclasses() -> None:
     part = Part([(9, 9), *NOTCHED[1:]])
     part.name = "bracket"
