@@ -4,7 +4,7 @@
 
 from __future__ import annotations
 
-from ctypes import c_uint64, sizeof
+from ctypes import c_uint64, c_void_p, sizeof
 from typing import Any, Optional, SupportsFloat
 
 from . import _ffi, _structs
@@ -33,15 +33,24 @@ class ContactList(RecordList[Contact]):
 
     __slots__ = ("_previous",)
 
-    _struct, _noun = _structs.Contact, "contact"
-    _previous: bytes
-    """The indices in an earlier list, as the library gives them."""
+    _struct, _noun, _read = _structs.Contact, "contact", _ffi.contact_list_contacts
+    _previous: Optional[bytes]
+    """The indices in an earlier list, as the library gives them, once they were needed."""
 
     def __init__(self, structs: Any = None, previous: Any = None, handle: Any = None) -> None:
         super().__init__(structs, handle)
-        if not isinstance(previous, bytes) or len(previous) != len(self) * sizeof(c_uint64):
+        if not isinstance(handle, c_void_p) and (
+            not isinstance(previous, bytes) or len(previous) != len(self) * sizeof(c_uint64)
+        ):
             raise made_by_itself(self)
         self._previous = previous
+
+    def _indices(self) -> bytes:
+        if self._previous is None:
+            self._previous = bytes(
+                _ffi.elements(_ffi.contact_list_previous, c_uint64, self._handle)
+            )
+        return self._previous
 
     @property
     def previous(self) -> tuple[Optional[int], ...]:
@@ -49,26 +58,18 @@ class ContactList(RecordList[Contact]):
 
         None for all contacts where no list was passed, as to contacts(), which takes none.
         """
-        indices = memoryview(self._previous).cast("Q")
+        indices = memoryview(self._indices()).cast("Q")
         return tuple(None if index == _NOT_THERE else index for index in indices)
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, ContactList):
             return NotImplemented
-        return self._bytes == other._bytes and self._previous == other._previous
+        return super().__eq__(other) and self._indices() == other._indices()
 
     __hash__ = RecordList.__hash__
 
     def __reduce__(self) -> tuple[type[ContactList], tuple[bytes, ...]]:
-        return type(self), (self._bytes, self._previous)
-
-
-def contact_list(handle: _ffi.ContactList) -> ContactList:
-    return ContactList(
-        bytes(_ffi.elements(_ffi.contact_list_contacts, _structs.Contact, handle)),
-        bytes(_ffi.elements(_ffi.contact_list_previous, c_uint64, handle)),
-        handle,
-    )
+        return type(self), (bytes(self._structs()), self._indices())
 
 
 def contacts(
@@ -109,7 +110,7 @@ def contacts(
         lambda options: _ffi.contacts(a._handle, b._handle, point, *limits, options, handle),
         *(_pairs_within(limits[0], a, b), threads, progress),
     )
-    return contact_list(handle)
+    return ContactList(handle=handle)
 
 
 def _pairs_within(distance: float, a: Polygon, b: Polygon) -> int:

@@ -335,10 +335,15 @@ def value(function: Callable[..., int], kind: Any, handle: Any) -> Any:
     return out.value
 
 
+def count(function: Callable[..., int], *arguments: Any) -> int:
+    """How many elements a buffer function gives."""
+    required = c_size_t()
+    function(*arguments, None, 0, byref(required))
+    return required.value
+
+
 def elements(function: Callable[..., int], kind: Any, *arguments: Any) -> Array[Any]:
     """What a buffer function gives, as elements of the given ctypes type."""
-    count = c_size_t()
-    function(*arguments, None, 0, byref(count))
-    out: Array[Any] = (kind * count.value)()
-    function(*arguments, out, count.value, byref(count))
+    out: Array[Any] = (kind * count(function, *arguments))()
+    function(*arguments, out, len(out), byref(c_size_t()))
     return out

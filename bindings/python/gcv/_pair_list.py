@@ -19,8 +19,4 @@ class PairList(RecordList[Pair]):
 
     __slots__ = ()
 
-    _struct, _noun = _structs.Pair, "pair"
-
-
-def pair_list(handle: _ffi.PairList) -> PairList:
-    return PairList(bytes(_ffi.elements(_ffi.pair_list_pairs, _structs.Pair, handle)), handle)
+    _struct, _noun, _read = _structs.Pair, "pair", _ffi.pair_list_pairs

@@ -5,9 +5,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from ctypes import sizeof
+from ctypes import c_void_p, sizeof
 from typing import TYPE_CHECKING, Any, ClassVar, Optional, TypeVar, Union, overload
 
+from . import _ffi
 from ._contacts import dtype_of, record_of
 from ._facts import made_by_itself
 
@@ -22,26 +23,37 @@ _ListType = TypeVar("_ListType", bound="RecordList[Any]")
 class RecordList(Sequence[_T]):
     """A sequence of records, which never changes, on structs of the library.
 
-    A pickle has the structs and no handle.
+    The structs are read when they are needed: a list that is passed on as the previous one
+    costs nothing more. A pickle has the structs and no handle.
     """
 
-    __slots__ = ("__weakref__", "_bytes", "_handle", "_records")
+    __slots__ = ("__weakref__", "_handle", "_memory", "_records")
 
     _struct: ClassVar[Any]
     """The C type of the structs."""
     _noun: ClassVar[str]
     """What one record is called."""
-    _bytes: bytes
-    """The structs of the library."""
+    _read: ClassVar[Any]
+    """The function of the library that writes the structs."""
+    _memory: Union[bytes, memoryview, None]
+    """The structs, once they were needed."""
     _handle: Any
     """The list of the library, for the next question to a scene; None where there is none."""
     _records: Optional[tuple[_T, ...]]
     """The records, once one was asked for."""
 
     def __init__(self, structs: Any = None, handle: Any = None) -> None:
-        if not isinstance(structs, bytes) or len(structs) % sizeof(self._struct):
+        if not isinstance(handle, c_void_p) and (
+            not isinstance(structs, bytes) or len(structs) % sizeof(self._struct)
+        ):
             raise made_by_itself(self)
-        self._bytes, self._handle, self._records = structs, handle, None
+        self._memory, self._handle, self._records = structs, handle, None
+
+    def _structs(self) -> Union[bytes, memoryview]:
+        if self._memory is None:
+            structs = _ffi.elements(self._read, self._struct, self._handle)
+            self._memory = memoryview(structs).cast("B").toreadonly()
+        return self._memory
 
     @property
     def array(self) -> numpy.typing.NDArray[numpy.void]:
@@ -54,7 +66,7 @@ class RecordList(Sequence[_T]):
             import numpy
         except ImportError:
             return list(self)  # type: ignore[return-value]
-        return numpy.frombuffer(self._bytes, dtype_of(self._struct))
+        return numpy.frombuffer(self._structs(), dtype_of(self._struct))
 
     def __array__(
         self, dtype: Any = None, copy: Optional[bool] = None
@@ -66,12 +78,14 @@ class RecordList(Sequence[_T]):
 
     def _all(self) -> tuple[_T, ...]:
         if self._records is None:
-            structs = (self._struct * len(self)).from_buffer_copy(self._bytes)
+            structs = (self._struct * len(self)).from_buffer_copy(self._structs())
             self._records = tuple(map(record_of(self._struct), structs))
         return self._records
 
     def __len__(self) -> int:
-        return len(self._bytes) // sizeof(self._struct)
+        if self._memory is None:
+            return _ffi.count(self._read, self._handle)
+        return len(self._memory) // sizeof(self._struct)
 
     @overload
     def __getitem__(self, index: int) -> _T: ...
@@ -85,10 +99,10 @@ class RecordList(Sequence[_T]):
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):
             return NotImplemented
-        return self._bytes == other._bytes
+        return bytes(self._structs()) == bytes(other._structs())
 
     def __hash__(self) -> int:
-        return hash(self._bytes)
+        return hash(bytes(self._structs()))
 
     def __copy__(self: _ListType) -> _ListType:
         return self
@@ -101,4 +115,4 @@ class RecordList(Sequence[_T]):
         return f"<gcv.{type(self).__name__} of {len(self)} {self._noun}{plural}>"
 
     def __reduce__(self) -> tuple[type[RecordList[_T]], tuple[bytes, ...]]:
-        return type(self), (self._bytes,)
+        return type(self), (bytes(self._structs()),)

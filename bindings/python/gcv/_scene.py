@@ -10,11 +10,11 @@ from typing import Any, Optional, SupportsFloat, SupportsIndex, TypeVar
 
 from . import _ffi, _structs
 from ._call import Progress
-from ._contact_list import ContactList, contact_list
+from ._contact_list import ContactList
 from ._coordinates import Points, number, pair, points, unfit
 from ._drawing import GROUND_COLOUR, plot, svg
 from ._many import vertices
-from ._pair_list import PairList, pair_list
+from ._pair_list import PairList
 from ._polygon import Polygon, as_polygon
 from ._record_list import RecordList
 from ._scene_places import Places
@@ -97,7 +97,7 @@ class Scene(Places):
             ),
             *(self._vertices_near(vertices(polygon)), threads, progress),
         )
-        return pair_list(handle)
+        return PairList(handle=handle)
 
     def pairs(
         self,
@@ -136,7 +136,7 @@ class Scene(Places):
             ),
             *(self._vertices_of_pairs(limit), threads, progress),
         )
-        return pair_list(handle)
+        return PairList(handle=handle)
 
     def contacts(
         self,
@@ -175,7 +175,7 @@ class Scene(Places):
             ),
             *(self._vertices_of_pairs(limits[0]), threads, progress),
         )
-        return contact_list(handle)
+        return ContactList(handle=handle)
 
     def plot(self, ax: Any = None, **style: Any) -> Any:
         """Draw the container and the members with matplotlib.

@@ -7,6 +7,9 @@ from __future__ import annotations
 import copy
 import math
 import pickle
+import tracemalloc
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
 from itertools import combinations
 from typing import Any
 
@@ -168,6 +171,44 @@ def test_previous_contacts() -> None:
     assert again == after
     assert again.previous == after.previous
     assert after != scene.contacts(1)
+
+
+def test_lists_that_are_passed_on_are_not_copied() -> None:
+    scene = gcv.Scene()
+    scene.add(SQUARE, [(k % 40, k // 40) for k in range(1600)])
+    before = scene.pairs(), scene.contacts()
+    tracemalloc.start()
+    try:
+        pairs, contacts = scene.pairs(0, before[0]), scene.contacts(0, 0, before[1])
+        assert [len(pairs), len(contacts)] == [len(one) for one in before]
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < min(pairs.array.nbytes, contacts.array.nbytes) / 4
+    assert (pairs, list(contacts)) == (before[0], list(before[1]))
+
+
+@pytest.mark.parametrize("first", [len, list, hash, pickle.dumps, repr, np.asarray])
+def test_lists_are_the_same_whatever_is_asked_first(first: Callable[[Any], object]) -> None:
+    scene = row()
+    for ask in (scene.pairs, scene.contacts):
+        found: Any = ask(1)
+        first(found)
+        assert found == ask(1)
+        assert pickle.loads(pickle.dumps(found)) == found
+        assert hash(found) == hash(ask(1))
+        assert len(found) == len(list(found)) == len(found.array) > 0
+        with pytest.raises(ValueError, match="WRITEABLE"):
+            found.array.flags.writeable = True
+    array = scene.contacts(1).array
+    assert array.tobytes() == scene.contacts(1).array.tobytes()
+
+
+def test_threads_read_one_list() -> None:
+    contacts = gcv.contacts(SQUARE, SQUARE, (1, 0), 9)
+    with ThreadPoolExecutor(8) as threads:
+        read = list(threads.map(lambda _: (list(contacts), contacts.previous), range(64)))
+    assert all(one == read[0] for one in read)
 
 
 def test_previous_contacts_of_other_questions() -> None:
