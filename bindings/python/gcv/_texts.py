@@ -77,10 +77,11 @@ def of_one_part(text: bytes) -> bytes:
 
 
 def _bare(text: bytes, start: int, stop: int, brackets: int) -> bytes:
-    """The text with blanks for that from start to stop, and without as many brackets at its end."""
-    text = text[:start] + b" " * (stop - start) + text[stop:].rstrip()
+    """The text with blanks for that from start to stop, and for so many of its last brackets."""
+    text = text[:start] + b" " * (stop - start) + text[stop:]
     for _ in range(brackets):
-        text = text[:-1].rstrip() if text.endswith(b")") else text
+        before, bracket, after = text.rpartition(b")")
+        text = before + b" " * len(bracket) + after
     return text
 
 

@@ -208,7 +208,10 @@ def test_collections_of_one_are_polygons() -> None:
         ({"type": "Polygon", "coordinates": None}, "polygon: None in a geometry is not a list"),
         ("MULTIPOLYGON (EMPTY, EMPTY)", "polygon: a MultiPolygon of 0 parts is not one polygon"),
         ("MULTIPOLYGON (EMPTY EMPTY, ((0 0, 1 0, 0 1)))", "polygon: byte 20: expected"),
-        ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1))", "polygon: byte 44: expected"),
+        ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1))", "polygon: byte 45: expected '[)]'"),
+        ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 0 1))) x", "polygon: byte 47: .* found 'x'"),
+        ("MULTIPOLYGON (((0 0, 1 0, 0 1))) x", "polygon: byte 33: .* found 'x'"),
+        ("MULTIPOLYGON (((0 0, 1 0, 0 1))) )", "polygon: byte 31: .* found '[)]'"),
         ("GEOMETRYCOLLECTION (POLYGON ((0 0, 1 0, 1 a)))", "polygon: byte 42: expected"),
         (
             f"GEOMETRYCOLLECTION (POINT (1 1), {FRAME.wkt})",

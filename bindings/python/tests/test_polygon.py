@@ -131,7 +131,7 @@ HUGE_NUMBER = 10**5000
             "a MultiPolygon of 2 parts is not one polygon",
         ),
         ("MULTIPOLYGON EMPTY", "a MultiPolygon of 0 parts is not one polygon"),
-        ("MULTIPOLYGON (((0 0, 1 0, 1 1))", "byte 30: expected .*"),
+        ("MULTIPOLYGON (((0 0, 1 0, 1 1))", "byte 31: expected .*"),
         ("MULTIPOLYGON ((0 0, 1 0, 1 1))", "a MultiPolygon of 0 parts is not one polygon"),
         ("MULTIPOLYGON", "byte 0: expected POLYGON, found 'MULTIPOLYGON'"),
         ('{"type": "Polygon"', "GeoJSON text: .*"),
