@@ -72,6 +72,14 @@ impl Error {
         }
     }
 
+    /// The same error, whose message begins with the name that the argument has in Rust.
+    pub(crate) fn renamed(mut self, name: &str, name_here: &str) -> Self {
+        if let Some(rest) = self.message.strip_prefix(name) {
+            self.message = format!("{name_here}{rest}");
+        }
+        self
+    }
+
     /// The name of the status, such as `"GCV_ERR_NOT_SIMPLE"`.
     pub fn status_name(&self) -> String {
         status_name(self.status)

@@ -346,9 +346,8 @@ impl Region {
         let mut out = vec![sys::GCV_OUTSIDE; points.len()];
         let xy = points.as_ptr().cast();
         // SAFETY: the region is alive, and there is room for as many results as points.
-        check(unsafe {
-            sys::gcv_region_locate(self.as_ptr(), xy, points.len(), out.as_mut_ptr())
-        })?;
+        check(unsafe { sys::gcv_region_locate(self.as_ptr(), xy, points.len(), out.as_mut_ptr()) })
+            .map_err(|error| error.renamed("xy:", "points:"))?;
         Ok(out.into_iter().map(Location::of).collect())
     }
 
